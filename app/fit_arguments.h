@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/fem/fit.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace batten {
+
+/// The command line of `batten fit`.
+struct FitArguments {
+  std::string points;  ///< the file, "-" for standard input
+  std::string x, y, value, weight;
+  std::string energy = "thin-plate";
+  std::optional<double> tension;
+  int degree = 3;
+  std::string smoothing = "auto";
+  std::optional<double> tolerance;
+  bool allow = false;
+  std::optional<double> aspect;
+  bool geographic = false;
+  std::optional<std::array<double, 4>> region;
+  std::optional<std::array<std::int64_t, 2>> cells;
+  std::optional<double> spacing;
+  bool skip_invalid = false;
+  bool standard_error = false;
+  std::optional<double> mask_distance;
+  int threads = 0;  ///< 0: as many as the machine offers
+  bool quiet = false;
+  std::uint64_t seed = 1;
+  std::string output, points_out, picture, report;
+  std::string view = "surface";
+};
+
+/// Part of (1-T) thin plate + T membrane that --energy tension has if --tension does not say.
+inline constexpr double default_tension = 0.9;
+
+/// Lets `parser` fill `arguments` and gives it its help text. `arguments` must outlive the parser.
+void add_fit_options(CLI::App& parser, FitArguments& arguments);
+
+/// What CLI11 does not check: throws UsageError.
+void check_arguments(const FitArguments& arguments);
+
+Energy energy_of(const FitArguments& arguments);
+/// T of the mixture that the energy is: 0 for the thin plate, 1 for the membrane.
+double tension_of(const FitArguments& arguments);
+/// Throws UsageError if --smoothing is neither auto, none nor a number >= 0.
+Smoothing smoothing_of(const FitArguments& arguments);
+
+}  // namespace batten

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <batten/app/memory_estimate.h>
+#include <batten/app/number_text.h>
+#include <batten/domains/errors.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+namespace batten {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// MemAvailable of /proc/meminfo, given in kB of 1024 bytes.
+double machine_memory() {
+  std::ifstream file("/proc/meminfo");
+  std::string line;
+  while (std::getline(file, line)) {
+    if (line.starts_with("MemAvailable:")) return 1024 * std::stod(line.substr(line.find(':') + 1));
+  }
+  return unlimited;
+}
+
+// The number that a file holds; unlimited if there is no such file or it says "max".
+double limit_in(const std::filesystem::path& path) {
+  double limit = unlimited;
+  std::ifstream(path) >> limit;
+  return limit > 0 ? limit : unlimited;
+}
+
+// The limits of the control groups above this process: version 2, and version 1 where that is in use.
+double group_memory() {
+  const std::filesystem::path root = "/sys/fs/cgroup";
+  double least = limit_in(root / "memory" / "memory.limit_in_bytes");
+  std::ifstream file("/proc/self/cgroup");
+  std::string line;
+  while (std::getline(file, line)) {
+    if (!line.starts_with("0::/")) continue;
+    std::filesystem::path group = root / line.substr(std::string("0::/").size());
+    for (; group.string().size() > root.string().size(); group = group.parent_path()) {
+      least = std::min(least, limit_in(group / "memory.max"));
+    }
+  }
+  return std::min(least, limit_in(root / "memory.max"));
+}
+
+double process_memory() {
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
+  return static_cast<double>(limit.rlim_cur);
+}
+
+}  // namespace
+
+double fit_memory(const FitSize& size) {
+  constexpr double per_unknown = 400, per_point = 150, at_least = 5e7;
+  const double unknowns = (size.cells_x + size.degree) * (size.cells_y + size.degree);
+  return at_least + per_unknown * unknowns + per_point * size.points;
+}
+
+double available_memory() { return std::min({machine_memory(), group_memory(), process_memory()}); }
+
+void check_memory(const FitSize& size) {
+  const double needed = fit_memory(size), available = available_memory();
+  if (needed <= available) return;
+  throw InvalidInput("a fit on " + number_text(size.cells_x, 10) + " x " + number_text(size.cells_y, 10) +
+                     " cells needs about " + bytes_text(needed) + " of memory, and " + bytes_text(available) +
+                     " are available; use fewer cells");
+}
+
+}  // namespace batten

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace batten {
+
+/// What a fit is asked to hold. The numbers are doubles so that no absurd size overflows them.
+struct FitSize {
+  double cells_x = 0, cells_y = 0;
+  int degree = 3;
+  double points = 0;
+};
+
+/// Bytes that a fit of this size needs at its peak, measured; an estimate, not a bound.
+double fit_memory(const FitSize& size);
+
+/// Bytes that this process may still take: the machine's free memory or the limit of the control group or process,
+/// whichever is smallest. Infinity if nothing is known.
+double available_memory();
+
+/// Throws InvalidInput, with both numbers, if `fit_memory` exceeds `available_memory`.
+void check_memory(const FitSize& size);
+
+}  // namespace batten

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace batten {
+
+/// The columns of a table that hold x and y where nobody has said: those named so, otherwise the first two.
+/// Standard input cannot be read twice: there they must be named so. Throws IoError if the file cannot be read.
+std::vector<std::string> point_columns(const std::string& file);
+
+}  // namespace batten

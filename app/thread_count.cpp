@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include <batten/app/thread_count.h>
+
+#include <omp.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace batten {
+
+void set_thread_count(int threads) {
+  if (threads > 0) omp_set_num_threads(threads);
+}
+
+void let_threads_sleep(char** arguments) {
+  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
+  ::setenv("OMP_WAIT_POLICY", "passive", 1);
+  ::execv("/proc/self/exe", arguments);  // returns only if it fails: then the threads spin
+}
+
+}  // namespace batten

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include <batten/bases/spline_basis.h>
+#include <batten/bases/spline_pieces.h>
+#include <batten/domains/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace batten {
+namespace {
+
+// Rules away from the ends repeat, so they are derived exactly once on a short interval with the same two ends and the
+// repeating row is then copied. 3 d + 4 cells leave more than one row that no end touches.
+int short_cells(int cells, int degree) { return std::min(cells, 3 * degree + 4 + (cells & 1)); }
+
+std::vector<int> short_breakpoints(const Interval& interval, int degree) {
+  const auto all = interval.breakpoints();
+  const int cells = short_cells(interval.cells(), degree);
+  std::vector<int> result(all.begin(), all.begin() + cells + 1);
+  result.back() = result[static_cast<std::size_t>(cells) - 1] + all.back() - all[all.size() - 2];
+  return result;
+}
+
+/// A banded matrix in rationals: row i has entries for the columns first[i], first[i] + 1, ...
+struct ExactRows {
+  int columns = 0;
+  std::vector<int> first;
+  std::vector<std::vector<Rational>> entries;
+};
+
+/// Integers with one common denominator where they fit exactly into doubles, else doubles with scale 1.
+Integer common_denominator(const ExactRows& exact) {
+  Integer lcm = 1;
+  for (const auto& row : exact.entries)
+    for (const auto& e : row) lcm = boost::multiprecision::lcm(lcm, denominator(e));
+  const Integer limit = Integer(1) << 53;
+  for (const auto& row : exact.entries)
+    for (const auto& e : row)
+      if (boost::multiprecision::abs(Integer(numerator(e * Rational(lcm)))) > limit) return 1;
+  return lcm;
+}
+
+BandedRows to_doubles(const ExactRows& exact) {
+  BandedRows result;
+  result.rows = static_cast<int>(exact.entries.size());
+  result.columns = exact.columns;
+  for (const auto& row : exact.entries) result.width = std::max(result.width, static_cast<int>(row.size()));
+  const Integer unit = common_denominator(exact);
+  result.scale = 1. / unit.convert_to<double>();
+  for (std::size_t i = 0; i < exact.entries.size(); ++i) {
+    const int first = std::min(exact.first[i], exact.columns - result.width);
+    std::vector<double> row(static_cast<std::size_t>(result.width));
+    for (std::size_t k = 0; k < exact.entries[i].size(); ++k)
+      row[k + static_cast<std::size_t>(exact.first[i] - first)] =
+          Rational(exact.entries[i][k] * Rational(unit)).convert_to<double>();
+    result.first.push_back(first);
+    result.weights.insert(result.weights.end(), row.begin(), row.end());
+  }
+  return result;
+}
+
+/// Leading and trailing zeros taken off every row, so that the width is the true one.
+void trim(ExactRows& rows) {
+  for (std::size_t i = 0; i < rows.entries.size(); ++i) {
+    auto& row = rows.entries[i];
+    while (row.size() > 1 && row.back() == 0) row.pop_back();
+    const auto lead = std::find_if(row.begin(), row.end() - 1, [](const Rational& e) { return e != 0; }) - row.begin();
+    row.erase(row.begin(), row.begin() + lead);
+    rows.first[i] += static_cast<int>(lead);
+  }
+}
+
+/// The matrix with `rows` rows and `columns` columns whose ends are those of the short one.
+BandedRows lengthened(BandedRows brief, int rows, int columns, int period, int shift) {
+  brief.period = period;
+  brief.shift = shift;
+  find_repeating_rows(brief);
+  if (rows == brief.rows) return brief;
+  BandedRows result = brief;
+  result.rows = rows;
+  result.columns = columns;
+  result.first.clear();
+  result.weights.clear();
+  const int extra = rows - brief.rows, split = brief.begin + period;
+  for (int i = 0; i < rows; ++i) {
+    // head, then copies of the first period of repeating rows, then tail
+    const int source = i < split ? i : i < split + extra ? brief.begin + (i - brief.begin) % period : i - extra;
+    result.first.push_back(brief.first[static_cast<std::size_t>(source)] + (i - source) / period * shift);
+    const auto row = brief.row(source);
+    result.weights.insert(result.weights.end(), row.begin(), row.end());
+  }
+  result.end = brief.end + extra;
+  return result;
+}
+
+}  // namespace
+
+SplineBasis::SplineBasis(const Interval& interval, int degree)
+    : interval_(interval), degree_(degree), stored_pieces_(short_cells(interval.cells(), degree)) {
+  if (degree < 0 || degree > max_degree)
+    throw InvalidInput("SplineBasis: expected a degree from 0 to " + std::to_string(max_degree) + ", found " +
+                       std::to_string(degree));
+  const auto n = static_cast<std::size_t>(degree) + 1;
+  for (const auto& piece : spline_pieces(short_breakpoints(interval, degree), degree))
+    for (std::size_t order = 0; order < n; ++order)
+      for (std::size_t p = 0; p < n; ++p)
+        for (std::size_t a = 0; a < n; ++a) {
+          Rational c = p + order < n ? piece.coefficients[a][p + order] : Rational(0);
+          for (std::size_t k = 0; k < order; ++k) c *= Rational(static_cast<long>(p + order - k)) / piece.length;
+          pieces_.push_back(c.convert_to<double>());
+        }
+}
+
+int SplineBasis::piece_of(int cell) const {
+  const int from_end = interval_.cells() - cell;
+  if (from_end <= stored_pieces_ - degree_ - 1) return stored_pieces_ - from_end;
+  return std::min(cell, degree_);
+}
+
+namespace {
+
+/// Σ_p coefficients[p][a] u^p for all functions a at once.
+template <std::size_t n>
+void evaluate_piece(const double* coefficients, double u, double* values) {
+  std::array<double, n> sum{};
+  for (std::size_t p = n; p-- > 0;)
+    for (std::size_t a = 0; a < n; ++a) sum[a] = sum[a] * u + coefficients[p * n + a];
+  std::copy(sum.begin(), sum.end(), values);
+}
+
+}  // namespace
+
+SplineBasis::Local SplineBasis::at(double t, int order) const {
+  const int cell = interval_.cell_of(t);
+  const auto b = interval_.breakpoints().subspan(static_cast<std::size_t>(cell), 2);
+  const double u = (t - b[0]) / (b[1] - b[0]);
+  const std::size_t n = static_cast<std::size_t>(degree_) + 1;
+  const double* c =
+      pieces_.data() + (static_cast<std::size_t>(piece_of(cell)) * n + static_cast<std::size_t>(order)) * n * n;
+  Local local{cell, {}};
+  switch (n) {
+    case 1:
+      evaluate_piece<1>(c, u, local.values.data());
+      break;
+    case 2:
+      evaluate_piece<2>(c, u, local.values.data());
+      break;
+    case 3:
+      evaluate_piece<3>(c, u, local.values.data());
+      break;
+    case 4:
+      evaluate_piece<4>(c, u, local.values.data());
+      break;
+    case 5:
+      evaluate_piece<5>(c, u, local.values.data());
+      break;
+    default:
+      evaluate_piece<6>(c, u, local.values.data());
+      break;
+  }
+  return local;
+}
+
+BandedRows SplineBasis::inner_products(int r) const {
+  const auto products = exact_inner_products(short_breakpoints(interval_, degree_), degree_, r, r);
+  const int n = static_cast<int>(products.size());
+  ExactRows exact{n, {}, {}};
+  for (int i = 0; i < n; ++i) {
+    const int from = std::max(0, i - degree_), to = std::min(n - 1, i + degree_);
+    const auto& row = products[static_cast<std::size_t>(i)];
+    exact.first.push_back(from);
+    exact.entries.emplace_back(row.begin() + (from - i + degree_), row.begin() + (to - i + degree_ + 1));
+  }
+  return lengthened(to_doubles(exact), size(), size(), 1, 1);
+}
+
+BandedRows SplineBasis::refinement(const SplineBasis& finer) const {
+  if (finer.degree_ != degree_ || finer.interval_.cells() / 2 != interval_.cells())
+    throw InvalidInput("SplineBasis::refinement: expected the next finer basis of the same degree");
+  const int fine_cells = std::min(finer.interval_.cells(), 2 * (3 * degree_ + 4) + (finer.interval_.cells() & 1));
+  const auto all = finer.interval_.breakpoints();
+  std::vector<int> fine(all.begin(), all.begin() + fine_cells + 1), coarse;
+  fine.back() = fine[static_cast<std::size_t>(fine_cells) - 1] + all.back() - all[all.size() - 2];
+  for (int i = 0; i < fine_cells / 2; ++i) coarse.push_back(fine[static_cast<std::size_t>(2 * i)]);
+  coarse.push_back(fine.back());
+  const auto columns = exact_refinement(coarse, fine, degree_);
+  ExactRows exact{fine_cells + degree_, {}, {}};  // rows of the transpose
+  for (const auto& column : columns) {
+    exact.first.push_back(column.first);
+    exact.entries.push_back(column.weights);
+  }
+  return transposed(lengthened(to_doubles(exact), size(), finer.size(), 1, 2));
+}
+
+BandedRows SplineBasis::samples(int r) const {
+  const auto breakpoints = short_breakpoints(interval_, degree_);
+  const auto pieces = spline_pieces(breakpoints, degree_);
+  ExactRows exact{static_cast<int>(pieces.size()) + degree_, {}, {}};
+  for (std::size_t i = 0; i < breakpoints.size(); ++i) {
+    const std::size_t cell = std::min(i, pieces.size() - 1);
+    std::vector<Rational> row;
+    for (const auto& p : pieces[cell].coefficients) {  // r-th derivative at u = 0, or at u = 1 in the last cell
+      Rational value = 0;
+      for (std::size_t k = static_cast<std::size_t>(r); k < p.size(); ++k) {
+        Rational term = p[k];
+        for (int q = 0; q < r; ++q) term *= Rational(static_cast<long>(k) - q) / pieces[cell].length;
+        if (i > cell || k == static_cast<std::size_t>(r)) value += term;
+      }
+      row.push_back(value);
+    }
+    exact.first.push_back(static_cast<int>(cell));
+    exact.entries.push_back(std::move(row));
+  }
+  trim(exact);
+  return lengthened(to_doubles(exact), interval_.cells() + 1, size(), 1, 1);
+}
+
+BandedRows SplineBasis::differences() const {
+  const auto b = short_breakpoints(interval_, degree_);
+  const int cells = static_cast<int>(b.size()) - 1;
+  ExactRows exact{cells + degree_, {}, {}};
+  const auto knot = [&](int i) { return Rational(b[static_cast<std::size_t>(std::clamp(i - degree_, 0, cells))]); };
+  for (int i = 0; i + 1 < cells + degree_; ++i) {
+    const Rational slope = Rational(degree_) / (knot(i + degree_ + 1) - knot(i + 1));
+    exact.first.push_back(i);
+    exact.entries.push_back({-slope, slope});
+  }
+  return lengthened(to_doubles(exact), size() - 1, size(), 1, 1);
+}
+
+}  // namespace batten

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/bases/banded_rows.h>
+#include <batten/domains/interval.h>
+
+#include <array>
+#include <vector>
+
+namespace batten {
+
+/// The splines of degree d on an interval with simple breakpoints, in the clamped B-spline basis (end knots repeated d
+/// + 1 times).
+///
+/// It spans the same space as the uniform B-splines restricted to the interval, but stays well conditioned at the ends,
+/// and its first and last coefficients are the end values. Functions are numbered 0 .. cells + d - 1; functions c .. c
+/// + d are the ones that do not vanish in cell c. Positions t are in cells of the finest level of the interval.
+class SplineBasis {
+public:
+  static constexpr int max_degree = 5;
+  /// Values (or derivatives) of the degree + 1 functions that live in one cell.
+  struct Local {
+    int first = 0;
+    std::array<double, max_degree + 1> values{};
+  };
+
+  /// Throws InvalidInput unless 0 <= degree <= max_degree.
+  SplineBasis(const Interval& interval, int degree);
+
+  const Interval& interval() const { return interval_; }
+  int degree() const { return degree_; }
+  int size() const { return interval_.cells() + degree_; }
+
+  /// Derivative of the given order (0: the value) of the functions of the cell that holds t, with respect to t.
+  Local at(double t, int order = 0) const;
+
+  /// ∫ N_i^(r) N_j^(r) dt, symmetric, size() x size(): derived in rationals and converted once.
+  BandedRows inner_products(int r) const;
+  /// R with N_j = Σ_i R_ij N̂_i, N̂ the basis of `finer`: finer.size() x size(). Its interior rows are the B-spline
+  /// subdivision rules.
+  BandedRows refinement(const SplineBasis& finer) const;
+  /// N_j^(r) at the breakpoints: (cells + 1) x size().
+  BandedRows samples(int r) const;
+  /// Coefficients of the derivative with respect to t, in the basis of degree - 1: (size() - 1) x size().
+  BandedRows differences() const;
+  /// The basis of the next coarser level.
+  SplineBasis coarser() const { return {interval_.coarser(), degree_}; }
+
+private:
+  int piece_of(int cell) const;
+
+  Interval interval_;
+  int degree_;
+  int stored_pieces_;  // cells of a short interval with the same ends; its cell `degree` stands for all inner ones
+  std::vector<double> pieces_;  // [stored cell][order of derivative][power of u][function]
+};
+
+}  // namespace batten

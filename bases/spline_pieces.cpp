@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <batten/bases/spline_pieces.h>
+
+#include <algorithm>
+
+namespace batten {
+namespace {
+
+using Polynomial = std::vector<Rational>;
+
+std::vector<Rational> clamped_knots(std::span<const int> breakpoints, int degree) {
+  std::vector<Rational> knots(static_cast<std::size_t>(degree), Rational(breakpoints.front()));
+  for (int b : breakpoints) knots.emplace_back(b);
+  knots.insert(knots.end(), static_cast<std::size_t>(degree), Rational(breakpoints.back()));
+  return knots;
+}
+
+/// p(u) * (a + b u)
+Polynomial times_linear(const Polynomial& p, const Rational& a, const Rational& b) {
+  Polynomial product(p.size() + 1);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    product[k] += a * p[k];
+    product[k + 1] += b * p[k];
+  }
+  return product;
+}
+
+void add_to(Polynomial& sum, const Polynomial& p) {
+  if (sum.size() < p.size()) sum.resize(p.size());
+  for (std::size_t k = 0; k < p.size(); ++k) sum[k] += p[k];
+}
+
+Polynomial derivative(Polynomial p, int order, const Rational& length) {
+  for (; order > 0; --order) {
+    for (std::size_t k = 1; k < p.size(); ++k) p[k - 1] = p[k] * static_cast<long>(k) / length;
+    p.back() = 0;
+  }
+  return p;
+}
+
+/// ∫_0^1 p(u) q(u) du
+Rational inner_product(const Polynomial& p, const Polynomial& q) {
+  Rational sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t j = 0; j < q.size(); ++j)
+      if (p[i] != 0 && q[j] != 0) sum += p[i] * q[j] / static_cast<long>(i + j + 1);
+  return sum;
+}
+
+SplinePiece piece_of_cell(const std::vector<Rational>& t, std::size_t cell, std::size_t degree) {
+  const std::size_t k = cell + degree;  // the cell is [t_k, t_{k+1}]
+  const Rational length = t[k + 1] - t[k];
+  std::vector<Polynomial> lower = {{Rational(1)}};  // degree p-1: functions k-p+1 .. k
+  for (std::size_t p = 1; p <= degree; ++p) {
+    std::vector<Polynomial> next(p + 1);
+    for (std::size_t a = 0; a < p; ++a) {
+      const std::size_t i = k - p + 1 + a;  // N_{i,p-1} feeds N_{i-1,p} and N_{i,p}
+      const Rational span = t[i + p] - t[i];
+      add_to(next[a], times_linear(lower[a], (t[i + p] - t[k]) / span, -length / span));
+      add_to(next[a + 1], times_linear(lower[a], (t[k] - t[i]) / span, length / span));
+    }
+    lower = std::move(next);
+  }
+  return {length, std::move(lower)};
+}
+
+}  // namespace
+
+std::vector<SplinePiece> spline_pieces(std::span<const int> breakpoints, int degree) {
+  const auto knots = clamped_knots(breakpoints, degree);
+  std::vector<SplinePiece> pieces;
+  for (std::size_t cell = 0; cell + 1 < breakpoints.size(); ++cell)
+    pieces.push_back(piece_of_cell(knots, cell, static_cast<std::size_t>(degree)));
+  return pieces;
+}
+
+std::vector<std::vector<Rational>> exact_inner_products(std::span<const int> breakpoints, int degree, int r, int s) {
+  const auto pieces = spline_pieces(breakpoints, degree);
+  const auto d = static_cast<std::size_t>(degree);
+  std::vector<std::vector<Rational>> products(pieces.size() + d, std::vector<Rational>(2 * d + 1));
+  for (std::size_t cell = 0; cell < pieces.size(); ++cell) {
+    const auto& piece = pieces[cell];
+    for (std::size_t a = 0; a <= d; ++a) {
+      const auto p = derivative(piece.coefficients[a], r, piece.length);
+      for (std::size_t b = 0; b <= d; ++b)
+        products[cell + a][b + d - a] +=
+            piece.length * inner_product(p, derivative(piece.coefficients[b], s, piece.length));
+    }
+  }
+  return products;
+}
+
+std::vector<RefinementColumn> exact_refinement(std::span<const int> coarse, std::span<const int> fine, int degree) {
+  const auto t = clamped_knots(coarse, degree), tau = clamped_knots(fine, degree);
+  const std::size_t d = static_cast<std::size_t>(degree);
+  const std::size_t coarse_size = coarse.size() - 1 + d, fine_size = fine.size() - 1 + d;
+  std::vector<RefinementColumn> columns(coarse_size);
+  for (std::size_t i = 0; i < fine_size; ++i) {
+    // α_j of the coarse functions k-p .. k that see the fine knot τ_i, raised from degree 0 to d
+    const auto above = std::upper_bound(t.begin(), t.end() - degree - 1, tau[i]);
+    const std::size_t k = static_cast<std::size_t>(above - t.begin()) - 1;
+    std::vector<Rational> alpha = {Rational(1)};
+    for (std::size_t p = 1; p <= d; ++p) {
+      std::vector<Rational> next(p + 1);
+      for (std::size_t a = 0; a < p; ++a) {
+        const std::size_t j = k - p + 1 + a;
+        const Rational span = t[j + p] - t[j];
+        next[a] += (t[j + p] - tau[i + p]) / span * alpha[a];
+        next[a + 1] += (tau[i + p] - t[j]) / span * alpha[a];
+      }
+      alpha = std::move(next);
+    }
+    for (std::size_t a = 0; a <= d; ++a) {
+      if (alpha[a] == 0) continue;
+      auto& column = columns[k - d + a];
+      if (column.weights.empty()) column.first = static_cast<int>(i);
+      column.weights.resize(i - static_cast<std::size_t>(column.first) + 1);
+      column.weights.back() = alpha[a];
+    }
+  }
+  return columns;
+}
+
+}  // namespace batten

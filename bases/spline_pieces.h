@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/bases/rational.h>
+
+#include <span>
+#include <vector>
+
+namespace batten {
+
+/// The B-splines of degree d that do not vanish in one cell, as polynomials in the local coordinate u = (t - b_c) /
+/// (b_{c+1} - b_c): function c + a is Σ_p coefficients[a][p] u^p for a, p = 0 .. d. Exact.
+struct SplinePiece {
+  Rational length;  ///< b_{c+1} - b_c
+  std::vector<std::vector<Rational>> coefficients;
+};
+
+/// The pieces of all cells of the clamped B-spline basis (knots at both ends repeated degree + 1 times) on integer
+/// breakpoints, by the Cox-de Boor recursion in rationals [de Boor 2001, ch. IX (14)].
+std::vector<SplinePiece> spline_pieces(std::span<const int> breakpoints, int degree);
+
+/// ∫ N_i^(r) N_j^(s) dt over the whole interval, exact, for all i, j of the clamped basis: entry [i][j - i + degree],
+/// zero where j does not exist. Unit of length: that of the breakpoints.
+std::vector<std::vector<Rational>> exact_inner_products(std::span<const int> breakpoints, int degree, int r, int s);
+
+/// Weights of the finer basis in each function of the coarser one, N_j = Σ_i R_ij N̂_i, by the Oslo algorithm in
+/// rationals [Cohen, Lyche & Riesenfeld 1980]: column j is returned as [j] = {first fine index, weights...}.
+struct RefinementColumn {
+  int first = 0;
+  std::vector<Rational> weights;
+};
+std::vector<RefinementColumn> exact_refinement(std::span<const int> coarse, std::span<const int> fine, int degree);
+
+}  // namespace batten

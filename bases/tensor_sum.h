@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/bases/banded_rows.h>
+
+#include <span>
+#include <vector>
+
+namespace batten {
+
+/// Σ_t factor_t Y_t ⊗ X_t: a sum of Kronecker products of banded matrices, acting on grids of coefficients (x fastest).
+///
+/// Energies, refinement, restriction and sampling of tensor-product splines all have this form; it is never assembled.
+/// All Y_t have the same rows, columns and band, and so have all X_t. At most max_terms terms.
+class TensorSum {
+public:
+  static constexpr int max_terms = 3;
+  struct Term {
+    double factor = 1;
+    BandedRows y, x;
+  };
+
+  /// Throws InvalidInput if there is no term, too many, or their shapes differ.
+  explicit TensorSum(std::vector<Term> terms);
+
+  int input_columns() const { return terms_.front().x.columns; }
+  int input_rows() const { return terms_.front().y.columns; }
+  int output_columns() const { return terms_.front().x.rows; }
+  int output_rows() const { return terms_.front().y.rows; }
+  std::size_t input_size() const { return static_cast<std::size_t>(input_columns()) * input_rows(); }
+  std::size_t output_size() const { return static_cast<std::size_t>(output_columns()) * output_rows(); }
+  std::span<const Term> terms() const { return terms_; }
+
+  /// Row j of the result for the input grid: writes output_columns() numbers to `out`. Allocates nothing; one thread.
+  void row(int j, const double* in, double* out) const;
+  /// out = (this) in; all threads, the same bits for every thread count.
+  void apply(std::span<const double> in, std::span<double> out) const;
+
+private:
+  std::vector<Term> terms_;
+};
+
+}  // namespace batten

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include <batten/bases/blocks.h>
+#include <batten/fem/data_term.h>
+
+#include <algorithm>
+
+namespace batten {
+namespace {
+
+/// Blocks of cell rows; the rows of coefficients that a block adds to reach `degree` rows into the next block.
+RowBlocks cell_row_blocks(const SplineSpace& space) {
+  return {space.y.interval().cells(), space.x.size(), std::max(4, space.y.degree())};
+}
+
+}  // namespace
+
+DataTerm::DataTerm(const SplineSpace& space, const GridPoints& points, bool stored)
+    : space_(space), points_(&points), stored_(stored || points.size() > space.size()) {
+  const auto& y = space.y.interval();
+  row_start_.assign(static_cast<std::size_t>(y.cells()) + 1, 0);
+  for (double t : points.y) ++row_start_[static_cast<std::size_t>(y.cell_of(t)) + 1];
+  for (std::size_t r = 1; r < row_start_.size(); ++r) row_start_[r] += row_start_[r - 1];
+  if (stored_) return;
+  std::vector<PointRow> rows(points.size());
+  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(points.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < count; ++i) rows[static_cast<std::size_t>(i)] = row(static_cast<std::size_t>(i));
+  rows_ = std::move(rows);
+}
+
+PointRow DataTerm::row(std::size_t point) const {
+  if (!rows_.empty()) return rows_[point];
+  const auto x = space_.x.at(points_->x[point]), y = space_.y.at(points_->y[point]);
+  PointRow result{x.first, y.first, {}, {}};
+  std::copy_n(x.values.begin(), 4, result.x.begin());
+  std::copy_n(y.values.begin(), 4, result.y.begin());
+  return result;
+}
+
+/// Calls work(first point, rows) for the points of cell rows begin .. end - 1: all at once where the rows are kept,
+/// else in pieces that are made on the spot.
+template <typename Work>
+void DataTerm::for_rows(int begin, int end, Work&& work) const {
+  const std::size_t from = first_point(begin), to = first_point(end);
+  if (!rows_.empty()) return work(from, std::span(rows_).subspan(from, to - from));
+  std::array<PointRow, 64> piece;
+  for (std::size_t first = from; first < to; first += piece.size()) {
+    const std::size_t n = std::min(piece.size(), to - first);
+    for (std::size_t i = 0; i < n; ++i) piece[i] = row(first + i);
+    work(first, std::span<const PointRow>(piece.data(), n));
+  }
+}
+
+std::size_t DataTerm::plane(int dx, int dy) const {
+  const int d = space_.x.degree();
+  return static_cast<std::size_t>(dy == 0 ? dx : d + 1 + (dy - 1) * (2 * d + 1) + dx + d);
+}
+
+double DataTerm::entry(int i, int j, int dx, int dy) const {
+  const auto n = static_cast<std::size_t>(space_.x.size());
+  const auto planes = plane(space_.x.degree(), space_.x.degree()) + 1;
+  if (dy == 0 && dx < 0) return entry(i + dx, j, -dx, 0);
+  return stencil_[(static_cast<std::size_t>(j) * planes + plane(dx, dy)) * n + static_cast<std::size_t>(i)];
+}
+
+void DataTerm::set_weights(std::span<const double> weights) {
+  weights_.assign(weights.begin(), weights.end());
+  if (!stored_) return;
+  const auto planes = plane(space_.x.degree(), space_.x.degree()) + 1;
+  stencil_.assign(planes * space_.size(), 0.);
+  for_alternating_blocks(cell_row_blocks(space_), [&](int begin, int end) {
+    for (int r = begin; r < end; ++r) accumulate_cell_row(r);
+  });
+}
+
+void DataTerm::accumulate_cell_row(int cell_row) {
+  const auto& interval = space_.x.interval();
+  const std::size_t from = first_point(cell_row), to = first_point(cell_row + 1);
+  const std::size_t n = static_cast<std::size_t>(space_.x.degree()) + 1;
+  const auto columns = static_cast<std::size_t>(space_.x.size());
+  const auto planes = plane(space_.x.degree(), space_.x.degree()) + 1;
+  std::vector<std::size_t> order(to - from), start(static_cast<std::size_t>(interval.cells()) + 1, 0);
+  for (std::size_t i = from; i < to; ++i) ++start[static_cast<std::size_t>(interval.cell_of(points_->x[i])) + 1];
+  for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
+  auto next = start;
+  for (std::size_t i = from; i < to; ++i) order[next[static_cast<std::size_t>(interval.cell_of(points_->x[i]))]++] = i;
+
+  for (std::size_t cell = 0; cell + 1 < start.size(); ++cell) {
+    if (start[cell] == start[cell + 1]) continue;
+    CellSum sum{};
+    for (std::size_t k = start[cell]; k < start[cell + 1]; ++k) {
+      const PointRow point = row(order[k]);
+      add_to_cell_sum(static_cast<int>(n), {&point, 1}, {&weights_[order[k]], 1}, sum);
+    }
+    for (std::size_t b = 0; b < n; ++b)
+      for (std::size_t f = b; f < n; ++f)
+        for (std::size_t a = 0; a < n; ++a)
+          for (std::size_t e = f == b ? a : 0; e < n; ++e) {
+            const auto q = plane(static_cast<int>(e) - static_cast<int>(a), static_cast<int>(f - b));
+            const auto row_index = static_cast<std::size_t>(cell_row) + b;
+            stencil_[(row_index * planes + q) * columns + cell + a] += sum[(b * n + f) * n * n + a * n + e];
+          }
+  }
+}
+
+void DataTerm::values(std::span<const double> c, std::span<double> out) const {
+  for_blocks(cell_row_blocks(space_), [&](int begin, int end) {
+    for_rows(begin, end, [&](std::size_t first, std::span<const PointRow> rows) {
+      point_values(grid(), rows, c.data(), out.data() + first);
+    });
+  });
+}
+
+void DataTerm::add_adjoint(std::span<const double> v, std::span<double> c) const {
+  for_alternating_blocks(cell_row_blocks(space_), [&](int begin, int end) {
+    for_rows(begin, end, [&](std::size_t first, std::span<const PointRow> rows) {
+      add_point_values(grid(), rows, v.data() + first, c.data());
+    });
+  });
+}
+
+void DataTerm::add_normal(double factor, std::span<const double> c, std::span<double> out) const {
+  if (size() == 0) return;
+  if (stored_) return add_normal_by_stencil(factor, c, out);
+  for_alternating_blocks(cell_row_blocks(space_), [&](int begin, int end) {
+    for_rows(begin, end, [&](std::size_t first, std::span<const PointRow> rows) {
+      add_point_products(grid(), rows, weights_.data() + first, factor, c.data(), out.data());
+    });
+  });
+}
+
+void DataTerm::add_normal_by_stencil(double factor, std::span<const double> c, std::span<double> out) const {
+  const int d = space_.x.degree(), n = space_.x.size(), rows = space_.y.size();
+  const std::ptrdiff_t planes = static_cast<std::ptrdiff_t>(plane(d, d)) + 1;
+  for_alternating_blocks(RowBlocks(rows, n * 16, 4), [&](int begin, int end) {
+    for (int j = begin; j < end; ++j)
+      for (int dy = 0; dy <= d && j + dy < rows; ++dy)
+        for (int dx = dy == 0 ? 0 : -d; dx <= d; ++dx) {
+          const int from = std::max(0, -dx), to = n - std::max(0, dx);
+          const std::ptrdiff_t low = static_cast<std::ptrdiff_t>(j) * n + from,
+                               high = low + static_cast<std::ptrdiff_t>(dy) * n + dx;
+          const double* s = stencil_.data() + (j * planes + static_cast<std::ptrdiff_t>(plane(dx, dy))) * n + from;
+          add_stencil_rows({s, c.data() + low, c.data() + high, out.data() + low, out.data() + high}, factor,
+                           dx != 0 || dy != 0, to - from);
+        }
+  });
+}
+
+}  // namespace batten

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/fem/operator.h>
+#include <batten/fem/point_kernels.h>
+
+#include <span>
+#include <vector>
+
+namespace batten {
+
+/// Positions of measurements in cells of the finest level, ordered by cell row and then by cell column.
+struct GridPoints {
+  std::vector<double> x, y;
+  std::size_t size() const { return x.size(); }
+};
+
+/// The data part Σ_i w_i b_i b_i^T of a least-squares fit on one level; b_i holds the values of the basis functions at
+/// point i.
+///
+/// Few points are applied one by one; where points outnumber the coefficients, their sum is stored as a symmetric
+/// stencil of (2d+1)² entries for each coefficient. Both add fixed blocks of rows in a fixed order: same bits for every
+/// thread count.
+class DataTerm {
+public:
+  /// `stored` forces the stencil form. The points are kept by reference and must outlive this object.
+  DataTerm(const SplineSpace& space, const GridPoints& points, bool stored = false);
+
+  std::size_t size() const { return points_->size(); }
+  bool is_stored() const { return stored_; }
+
+  /// The weights w_i, in the order of the points.
+  void set_weights(std::span<const double> weights);
+  std::span<const double> weights() const { return weights_; }
+
+  /// out_i = Σ_j b_i[j] c_j: the spline at the points.
+  void values(std::span<const double> c, std::span<double> out) const;
+  /// c += Σ_i v_i b_i
+  void add_adjoint(std::span<const double> v, std::span<double> c) const;
+  /// out += factor Σ_i w_i b_i (b_i · c)
+  void add_normal(double factor, std::span<const double> c, std::span<double> out) const;
+
+  /// b_i of one point.
+  PointRow row(std::size_t point) const;
+  /// Points whose cell row is r: first_point(r) .. first_point(r + 1) - 1.
+  std::size_t first_point(int cell_row) const { return row_start_[static_cast<std::size_t>(cell_row)]; }
+  /// Stencil form only: entry between coefficient (i, j) and (i + dx, j + dy), 0 <= dy <= d.
+  double entry(int i, int j, int dx, int dy) const;
+
+private:
+  void add_normal_by_stencil(double factor, std::span<const double> c, std::span<double> out) const;
+  template <typename Work>
+  void for_rows(int begin, int end, Work&& work) const;
+  void accumulate_cell_row(int cell_row);
+  std::size_t plane(int dx, int dy) const;
+  PointGrid grid() const { return {space_.x.size(), space_.x.degree() + 1}; }
+
+  SplineSpace space_;
+  const GridPoints* points_;
+  bool stored_;
+  std::vector<std::size_t> row_start_;
+  std::vector<double> weights_;
+  std::vector<PointRow> rows_;   // point form
+  std::vector<double> stencil_;  // stencil form: [coefficient row][entry][coefficient column]
+};
+
+}  // namespace batten

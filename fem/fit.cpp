@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include <batten/domains/errors.h>
+#include <batten/fem/cross_validation.h>
+#include <batten/fem/fit.h>
+#include <batten/fem/fit_problem.h>
+#include <batten/fem/near_interpolation.h>
+#include <batten/fem/standard_error.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <utility>
+
+namespace batten {
+namespace {
+
+/// Calls work and notes how long it took.
+template <typename Work>
+auto timed(std::vector<PhaseTime>& seconds, const std::string& phase, Work&& work) {
+  struct Stop {
+    std::vector<PhaseTime>& list;
+    const std::string& name;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    ~Stop() { list.push_back({name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}); }
+  } stop{seconds, phase};
+  return work();
+}
+
+std::string text(double v) {
+  std::ostringstream stream;
+  stream.precision(6);
+  stream << v;
+  return stream.str();
+}
+
+Smoothing checked(const FitOptions& options) {
+  const Smoothing s = options.smoothing;
+  if (s.kind == Smoothing::Kind::Fixed && !(s.value >= 0 && std::isfinite(s.value)))
+    throw InvalidInput("fit_surface: expected a smoothing that is not negative, found " + text(s.value));
+  if (s.kind == Smoothing::Kind::Tolerance && !(s.value > 0 && std::isfinite(s.value)))
+    throw InvalidInput("fit_surface: expected a positive tolerance, found " + text(s.value));
+  const Smoothing result = s.kind == Smoothing::Kind::Fixed && s.value == 0 ? Smoothing::none() : s;
+  if (options.standard_error && result.kind != Smoothing::Kind::Automatic && result.kind != Smoothing::Kind::Fixed)
+    throw InvalidInput("fit_surface: a standard error needs smoothing (automatic or lambda > 0), found interpolation");
+  return result;
+}
+
+/// Coincident points whose boxes z ± tolerance do not meet cannot both be fitted.
+void check_tolerance(const Observations& o, double tolerance) {
+  std::map<std::pair<double, double>, std::pair<std::size_t, std::size_t>> extremes;  // of the values at one place
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    const auto [at, is_new] = extremes.try_emplace({o.x[i], o.y[i]}, i, i);
+    auto& [low, high] = at->second;
+    if (o.value[i] < o.value[low]) low = i;
+    if (o.value[i] > o.value[high]) high = i;
+    if (o.value[high] - o.value[low] > 2 * tolerance)
+      throw InvalidInput("fit_surface: expected values at one place within twice the tolerance, found " +
+                         text(o.value[low]) + " (observation " + std::to_string(low + 1) + ") and " +
+                         text(o.value[high]) + " (observation " + std::to_string(high + 1) + ") at (" + text(o.x[i]) +
+                         ", " + text(o.y[i]) + ")");
+  }
+}
+
+/// `start`: coefficients to begin with, or none.
+ScaledFit solve_fixed(FitProblem& problem, double lambda, const FitOptions& options, std::vector<double> start = {}) {
+  start.resize(problem.system().size());
+  ScaledFit fit{std::move(start), lambda, 0, 0};
+  problem.system().set(lambda, problem.weight());
+  const auto b = problem.right_side(problem.weight(), problem.value());
+  if (options.progress) options.progress("solve", 0);
+  const auto result = solve(problem.system(), b, fit.coefficients, options.limits);
+  fit.iterations = result.iterations;
+  fit.accuracy = result.accuracy;
+  return fit;
+}
+
+ScaledFit solve_automatic(FitProblem& problem, const FitData& data, const FitOptions& options, FitResult& result) {
+  auto found = timed(result.seconds, "cross-validation", [&] { return cross_validate(problem, data, options); });
+  result.effective_degrees = found.effective_degrees;
+  result.no_interior_minimum = !found.interior;
+  result.search_iterations = static_cast<int>(std::ceil(found.work));
+  if (!found.interior)
+    result.notes.push_back("cross-validation: no interior minimum, lambda is the lower end " + text(found.lambda) +
+                           " of its range (the data look exact)");
+  return timed(result.seconds, "solve",
+               [&] { return solve_fixed(problem, found.lambda, options, std::move(found.start)); });
+}
+
+ScaledFit solve_none(FitProblem& problem, const FitOptions& options, FitResult& result) {
+  if (options.energy.null_degree() == 0 && options.energy.order() == 1)
+    result.notes.push_back(
+        "membrane without smoothing: point values are not bounded for the membrane in two dimensions, the result "
+        "depends on "
+        "the cell size; consider the energy \"tension\"");
+  if (problem.size() <= problem.system().size()) return interpolate(problem, options);
+  result.notes.push_back("no smoothing: " + std::to_string(problem.size()) + " points outnumber " +
+                         std::to_string(problem.system().size()) + " coefficients, lambda = 1e-14 is used");
+  return solve_fixed(problem, interpolation_lambda, options);
+}
+
+ScaledFit solve_within(FitProblem& problem, const FitData& data, double tolerance, const FitOptions& options) {
+  return interpolate_within(problem, tolerance / data.scale, options);
+}
+
+/// Residuals, energy and fitted values in the units of the observations.
+void measure(const Observations& o, const FitData& data, const FitProblem& problem, const ScaledFit& fit,
+             FitResult& result) {
+  const std::size_t n = o.size();
+  result.fitted.resize(n);
+  const auto count = static_cast<std::ptrdiff_t>(n);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    result.fitted[k] = result.solution.value(o.x[k], o.y[k]);
+  }
+  double square = 0, total = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::isnan(result.fitted[i])) continue;
+    const double r = std::abs(result.fitted[i] - o.value[i]), w = o.weight.empty() ? 1 : o.weight[i];
+    if (w == 0) continue;
+    square += w * r * r;
+    total += w;
+    if (r > result.largest_residual) {
+      result.largest_residual = r;
+      result.worst_point = i;
+    }
+  }
+  result.rms_residual = std::sqrt(square / total);
+  // The null element has no energy, so the energy of the scaled fit is the one of the surface, without the rounding of
+  // its offset.
+  result.energy = data.scale * data.scale *
+                  evaluate_energy(problem.hierarchy().energy(), problem.hierarchy().finest().space, fit.coefficients);
+  result.lambda = fit.lambda;
+  result.iterations = fit.iterations;
+  result.accuracy = fit.accuracy;
+}
+
+}  // namespace
+
+FitResult fit_surface(const Observations& observations, const Rectangle& region, const FitOptions& options) {
+  const Smoothing smoothing = checked(options);
+  std::vector<PhaseTime> seconds;
+  const bool merge = smoothing.kind == Smoothing::Kind::None;
+  const PreparedData prepared = timed(seconds, "prepare", [&] {
+    auto result = prepare(observations, region, options.energy, merge);
+    if (smoothing.kind == Smoothing::Kind::Tolerance) check_tolerance(observations, smoothing.value);
+    return result;
+  });
+  const FitData& data = prepared.data;
+  FitProblem problem = timed(seconds, "set up", [&] { return FitProblem(data, region, options); });
+
+  FitResult result{.solution = Solution(region, options.degree, std::vector<double>(problem.system().size()))};
+  result.seconds = std::move(seconds);
+  ScaledFit fit;
+  switch (smoothing.kind) {
+    case Smoothing::Kind::Automatic:
+      fit = solve_automatic(problem, data, options, result);
+      break;
+    case Smoothing::Kind::Fixed:
+      fit = timed(result.seconds, "solve", [&] { return solve_fixed(problem, smoothing.value, options); });
+      break;
+    case Smoothing::Kind::None:
+      fit = timed(result.seconds, "solve", [&] { return solve_none(problem, options, result); });
+      break;
+    case Smoothing::Kind::Tolerance:
+      fit = timed(result.seconds, "solve", [&] { return solve_within(problem, data, smoothing.value, options); });
+      break;
+  }
+  result.points_outside = prepared.outside;
+  result.points_merged = prepared.merged;
+  result.points_used = data.size() + prepared.merged;
+  if (prepared.merged > 0)
+    result.notes.push_back(std::to_string(prepared.merged) + " observations were averaged into coincident ones");
+
+  std::vector<double> coefficients = fit.coefficients;
+  for (double& c : coefficients) c *= data.scale;
+  data.null_element.add_to(problem.hierarchy().finest().space, coefficients);
+  result.solution = Solution(region, options.degree, std::move(coefficients));
+  timed(result.seconds, "measure", [&] { measure(observations, data, problem, fit, result); });
+  if (smoothing.kind == Smoothing::Kind::Tolerance)
+    result.tolerance_reached = result.largest_residual <= smoothing.value;
+
+  if (options.standard_error)
+    timed(result.seconds, "standard error", [&] {
+      result.effective_degrees = effective_degrees(problem, options, most_exact_points);
+      result.standard_error = standard_error(problem, fit.coefficients, *result.effective_degrees, options);
+      for (double& s : result.standard_error) s *= data.scale;
+    });
+  return result;
+}
+
+}  // namespace batten

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <batten/domains/errors.h>
+#include <batten/fem/fit_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <tuple>
+
+namespace batten {
+namespace {
+
+std::string text(double v) {
+  std::ostringstream stream;
+  stream.precision(10);
+  stream << v;
+  return stream.str();
+}
+
+void check(const Observations& o) {
+  if (o.y.size() != o.size() || o.value.size() != o.size() || (!o.weight.empty() && o.weight.size() != o.size()))
+    throw InvalidInput("fit_surface: expected x, y, value and weight of one length, found " +
+                       std::to_string(o.x.size()) + ", " + std::to_string(o.y.size()) + ", " +
+                       std::to_string(o.value.size()) + " and " + std::to_string(o.weight.size()));
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    if (!std::isfinite(o.x[i]) || !std::isfinite(o.y[i]) || !std::isfinite(o.value[i]))
+      throw InvalidInput("fit_surface: expected finite numbers, found (" + text(o.x[i]) + ", " + text(o.y[i]) +
+                         ") with value " + text(o.value[i]) + " at observation " + std::to_string(i + 1));
+    if (!o.weight.empty() && !(o.weight[i] >= 0 && std::isfinite(o.weight[i])))
+      throw InvalidInput("fit_surface: expected weights that are not negative, found " + text(o.weight[i]) +
+                         " at observation " + std::to_string(i + 1));
+  }
+  if (!o.weight.empty() && std::all_of(o.weight.begin(), o.weight.end(), [](double w) { return w == 0; }))
+    throw InvalidInput("fit_surface: expected a weight that is not zero, found all " + std::to_string(o.size()) +
+                       " zero");
+}
+
+/// Observations at the same place become one: mean value, summed weight. Returns how many vanished.
+std::size_t merge(FitData& d) {
+  std::vector<std::size_t> order(d.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return std::tie(d.x[a], d.y[a], a) < std::tie(d.x[b], d.y[b], b); });
+  std::vector<bool> keep(d.size(), true);
+  std::size_t vanished = 0;
+  for (std::size_t i = 0, next = 0; i < order.size(); i = next) {
+    const std::size_t first = order[i];
+    double sum = 0, weight = 0;
+    for (next = i; next < order.size() && d.x[order[next]] == d.x[first] && d.y[order[next]] == d.y[first]; ++next) {
+      const std::size_t k = order[next];
+      sum += d.weight[k] * d.value[k];
+      weight += d.weight[k];
+      keep[k] = k == first;
+    }
+    vanished += next - i - 1;
+    if (next - i > 1) d.value[first] = sum / weight;
+    d.weight[first] = weight;
+  }
+  if (vanished == 0) return 0;
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (!keep[i]) continue;
+    d.x[to] = d.x[i];
+    d.y[to] = d.y[i];
+    d.value[to] = d.value[i];
+    d.weight[to] = d.weight[i];
+    d.source[to++] = d.source[i];
+  }
+  for (auto* column : {&d.x, &d.y, &d.value, &d.weight}) column->resize(to);
+  d.source.resize(to);
+  return vanished;
+}
+
+void check_determined(const FitData& d, const Energy& energy, const Rectangle& region, std::size_t observations) {
+  if (d.size() == 0)
+    throw InvalidInput("fit_surface: expected at least one point inside the region, found none of " +
+                       std::to_string(observations) + " in x from " + text(region.x.lower()) + " to " +
+                       text(region.x.upper()) + ", y from " + text(region.y.lower()) + " to " + text(region.y.upper()));
+  if (energy.null_degree() == 0) return;
+  // In units of the region's sides, so that the answer does not depend on the units of x and y.
+  std::vector<double> s(d.size()), t(d.size());
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    s[i] = (d.x[i] - region.x.lower()) / region.x.length();
+    t[i] = (d.y[i] - region.y.lower()) / region.y.length();
+  }
+  if (flatness(s, t) < 1e-10)
+    throw InvalidInput("fit_surface: the thin plate needs three points that are not on one line, found " +
+                       std::to_string(d.size()) + (d.size() == 1 ? " point" : " points on one line") +
+                       " (membrane and tension need one point)");
+}
+
+/// Subtracts the null element and divides by the range, so that the solver sees numbers of order 1 without offset or
+/// slope.
+void normalise(FitData& d, const Energy& energy) {
+  d.total_weight = std::accumulate(d.weight.begin(), d.weight.end(), 0.);
+  for (double& w : d.weight) w /= d.total_weight;
+  const auto [lowest, highest] = std::minmax_element(d.value.begin(), d.value.end());
+  const double low = *lowest, high = *highest, range = high - low;
+  d.null_element = fit_null_space(energy.null_degree(), d.x, d.y, d.value, d.weight);
+  d.scale = range > 0 ? range : 1;
+  const double rounding =
+      16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high)) / d.scale;
+  double largest = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    d.value[i] = (d.value[i] - d.null_element(d.x[i], d.y[i])) / d.scale;
+    largest = std::max(largest, std::abs(d.value[i]));
+  }
+  if (largest <= rounding)
+    std::fill(d.value.begin(), d.value.end(), 0.);  // data of the null space leave nothing to fit
+}
+
+}  // namespace
+
+PreparedData prepare(const Observations& o, const Rectangle& region, const Energy& energy, bool merge_coincident) {
+  check(o);
+  PreparedData result;
+  FitData& d = result.data;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    const double weight = o.weight.empty() ? 1 : o.weight[i];
+    if (!region.contains(o.x[i], o.y[i])) ++result.outside;
+    if (!region.contains(o.x[i], o.y[i]) || weight == 0) continue;
+    d.x.push_back(o.x[i]);
+    d.y.push_back(o.y[i]);
+    d.value.push_back(o.value[i]);
+    d.weight.push_back(weight);
+    d.source.push_back(i);
+  }
+  if (merge_coincident) result.merged = merge(d);
+  check_determined(d, energy, region, o.size());
+  normalise(d, energy);
+  return result;
+}
+
+namespace {
+
+/// Order of the points by cell row, cell column and index: a counting sort by row, then by column within rows.
+std::vector<std::size_t> cell_order(const GridPoints& p, const Hierarchy& hierarchy) {
+  const auto& space = hierarchy.finest().space;
+  std::vector<std::uint64_t> cell(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i)
+    cell[i] = static_cast<std::uint64_t>(space.y.interval().cell_of(p.y[i])) << 32 |
+              static_cast<std::uint64_t>(space.x.interval().cell_of(p.x[i]));
+  std::vector<std::size_t> start(static_cast<std::size_t>(space.y.interval().cells()) + 1, 0), order(p.size());
+  for (auto c : cell) ++start[(c >> 32) + 1];
+  for (std::size_t r = 1; r < start.size(); ++r) start[r] += start[r - 1];
+  auto next = start;
+  for (std::size_t i = 0; i < p.size(); ++i) order[next[cell[i] >> 32]++] = i;
+  for (std::size_t r = 0; r + 1 < start.size(); ++r)
+    std::sort(order.begin() + static_cast<std::ptrdiff_t>(start[r]),
+              order.begin() + static_cast<std::ptrdiff_t>(start[r + 1]),
+              [&](std::size_t a, std::size_t b) { return std::tie(cell[a], a) < std::tie(cell[b], b); });
+  return order;
+}
+
+GridPoints to_cells(const FitData& d, const Hierarchy& hierarchy) {
+  GridPoints points;
+  const auto& space = hierarchy.finest().space;
+  points.x.reserve(d.size());
+  points.y.reserve(d.size());
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    points.x.push_back(space.x.interval().to_cells(d.x[i]));
+    points.y.push_back(space.y.interval().to_cells(d.y[i]));
+  }
+  return points;
+}
+
+template <typename T>
+std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::size_t>& order) {
+  std::vector<T> result(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) result[i] = values[order[i]];
+  return result;
+}
+
+}  // namespace
+
+FitProblem::FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options)
+    : hierarchy_(options.energy, region, options.degree, {options.aspect}),
+      points_(to_cells(data, hierarchy_)),
+      order_(cell_order(points_, hierarchy_)),
+      system_((points_ = {reordered(points_.x, order_), reordered(points_.y, order_)}, hierarchy_), points_) {
+  value_ = reordered(data.value, order_);
+  weight_ = reordered(data.weight, order_);
+}
+
+std::vector<double> FitProblem::right_side(std::span<const double> weights, std::span<const double> values) const {
+  std::vector<double> weighted(size()), b(system_.size());
+  for (std::size_t i = 0; i < size(); ++i) weighted[i] = weights[i] * values[i];
+  system_.data().add_adjoint(weighted, b);
+  return b;
+}
+
+std::vector<double> FitProblem::residuals(std::span<const double> coefficients) const {
+  std::vector<double> r(size());
+  system_.data().values(coefficients, r);
+  for (std::size_t i = 0; i < size(); ++i) r[i] = value_[i] - r[i];
+  return r;
+}
+
+}  // namespace batten

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/fem/conjugate_gradients.h>
+#include <batten/fem/fit.h>
+#include <batten/fem/null_space.h>
+
+#include <memory>
+#include <vector>
+
+namespace batten {
+
+/// The observations of a fit in the scale that the solver works with.
+struct FitData {
+  std::vector<double> x, y;         ///< in the observations' own units
+  std::vector<double> value;        ///< (z - null element) / scale
+  std::vector<double> weight;       ///< sum 1, all positive
+  std::vector<std::size_t> source;  ///< index among the observations (the first of merged ones)
+  LinearFunction null_element;      ///< of the observations, in x and y
+  double scale = 1;                 ///< range of the observed values
+  double total_weight = 1;          ///< sum of the observations' own weights
+  std::size_t size() const { return value.size(); }
+};
+
+/// Checks the observations, leaves out those outside the region and those of weight 0, orders and scales the rest. With
+/// `merge_coincident` observations at the same place become one, of their mean value and summed weight.
+/// Throws InvalidInput as fit_surface does.
+struct PreparedData {
+  FitData data;
+  std::size_t outside = 0;
+  std::size_t merged = 0;
+};
+PreparedData prepare(const Observations& observations, const Rectangle& region, const Energy& energy,
+                     bool merge_coincident);
+
+/// A penalised least-squares problem on one grid: the data ordered by its cells, the levels and the solver.
+class FitProblem {
+public:
+  FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options);
+  FitProblem(const FitProblem&) = delete;
+  FitProblem& operator=(const FitProblem&) = delete;
+
+  const Hierarchy& hierarchy() const { return hierarchy_; }
+  Multigrid& system() { return system_; }
+  const Multigrid& system() const { return system_; }
+
+  const GridPoints& points() const { return points_; }              ///< ordered by cell
+  const std::vector<double>& value() const { return value_; }       ///< in the order of points()
+  const std::vector<double>& weight() const { return weight_; }     ///< in the order of points()
+  const std::vector<std::size_t>& order() const { return order_; }  ///< index in FitData of each of points()
+  std::size_t size() const { return value_.size(); }
+
+  /// Σ_i weights_i values_i b_i
+  std::vector<double> right_side(std::span<const double> weights, std::span<const double> values) const;
+  /// value - p at the points.
+  std::vector<double> residuals(std::span<const double> coefficients) const;
+
+private:
+  Hierarchy hierarchy_;
+  GridPoints points_;
+  std::vector<double> value_, weight_;
+  std::vector<std::size_t> order_;
+  Multigrid system_;
+};
+
+/// A solved fit in the scale of FitData.
+struct ScaledFit {
+  std::vector<double> coefficients;
+  double lambda = 0;
+  int iterations = 0;
+  double accuracy = 0;
+};
+
+}  // namespace batten

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <batten/domains/errors.h>
+#include <batten/fem/multigrid.h>
+
+#include <algorithm>
+
+namespace batten {
+namespace {
+
+// Cubic B-splines oscillate at a far smaller energy than quadratic ones, so their smoother works harder. Measured:
+// degree + 1 needs the least time for membrane, thin plate and tension alike.
+int smoothing_degree(int spline_degree) { return spline_degree + 1; }
+
+constexpr std::size_t largest_grid_factor = 40'000;  // coefficients
+constexpr double largest_points_factor = 6e6;        // estimated entries of K
+constexpr double very_large_lambda = 1e3;
+
+}  // namespace
+
+Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
+    : hierarchy_(&hierarchy), degree_(smoothing_degree(hierarchy.degree())) {
+  for (int k = 0; k < hierarchy.size(); ++k) {
+    levels_.emplace_back(hierarchy[k], points, k + 1 == hierarchy.size());
+    work_.emplace_back(hierarchy[k].space.size());
+  }
+}
+
+bool Multigrid::can_be_data_aware() const {
+  const auto& finest = levels_.front();
+  const double n = static_cast<double>(finest.size()), count = static_cast<double>(data().size());
+  if (data().is_stored()) return finest.size() <= largest_grid_factor;
+  const double band = 2. * hierarchy_->degree() + 1;
+  return count * (1 + band * band * count / n) / 2 < largest_points_factor;
+}
+
+void Multigrid::set(double lambda, std::span<const double> weights) {
+  if (!(lambda > 0)) throw InvalidInput("Multigrid::set: expected lambda > 0, found " + std::to_string(lambda));
+  std::vector<double> w(weights.begin(), weights.end());
+  const auto soften = [&](const Smoother& level) {
+    const auto give = level.compliance();
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] = 1 / (1 / w[i] + give[i]);
+  };
+  auto& finest = levels_.front();
+  finest.set(lambda, w, Smoother::Kind::Plain);
+  const auto give = finest.compliance();
+  double stiffness = 0;
+  for (std::size_t i = 0; i < w.size(); ++i) stiffness = std::max(stiffness, w[i] * give[i]);
+  data_aware_ = levels_.size() > 1 && stiffness > 1 && can_be_data_aware();
+  if (data_aware_) finest.set(lambda, w, Smoother::Kind::DataAware);
+  for (std::size_t k = 1; k < levels_.size(); ++k) {
+    if (data_aware_) soften(levels_[k - 1]);
+    levels_[k].set(lambda, w, Smoother::Kind::Plain);
+  }
+  factor_coarsest();
+  null_projection_.reset();
+  if (lambda > very_large_lambda)
+    null_projection_.emplace(finest.level().space, data(), hierarchy_->energy().null_degree());
+}
+
+void Multigrid::factor_coarsest() {
+  const auto& level = levels_.back();
+  const int d = hierarchy_->degree(), nx = level.level().space.x.size(), ny = level.level().space.y.size();
+  std::vector<Eigen::Triplet<double>> entries;
+  double largest = 0;
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i)
+      for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
+        for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
+          const double value =
+              level.lambda() * level.level().energy.entry(i, j, i + dx, j + dy) + level.data().entry(i, j, dx, dy);
+          largest = std::max(largest, value);
+          entries.emplace_back((j + dy) * nx + i + dx, j * nx + i, value);
+        }
+  Eigen::SparseMatrix<double> lower(nx * ny, nx * ny);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  try {
+    coarsest_.emplace(lower);
+  } catch (const SolverError&) {
+    // λ so large that the data drown in the rounding of E: a shift of that size keeps the preconditioner definite.
+    for (int i = 0; i < nx * ny; ++i) lower.coeffRef(i, i) += 1e-14 * largest * nx;
+    coarsest_.emplace(lower);
+  }
+}
+
+void Multigrid::precondition(std::span<const double> r, std::span<double> out) const {
+  auto& work = work_.front();
+  std::copy(r.begin(), r.end(), work.r.begin());
+  if (null_projection_) null_projection_->project_transposed(work.r);
+  cycle(0);
+  std::copy(work.x.begin(), work.x.end(), out.begin());
+  if (null_projection_) null_projection_->project(out);
+}
+
+void Multigrid::cycle(std::size_t k) const {
+  auto& work = work_[k];
+  if (k + 1 == levels_.size()) {
+    work.x = work.r;
+    coarsest_->solve(work.x);
+    return;
+  }
+  const auto& level = levels_[k].level();
+  levels_[k].smooth_first(degree_, work);
+  level.restriction->apply(work.r, work_[k + 1].r);
+  cycle(k + 1);
+  level.refinement->apply(work_[k + 1].x, work.z);
+  levels_[k].smooth_last(degree_, work);
+}
+
+}  // namespace batten

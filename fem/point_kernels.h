@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace batten {
+
+/// Values at one point of the degree + 1 functions in x and in y that live in its cell; the fourth is 0 for degree 2.
+struct PointRow {
+  int first_x = 0, first_y = 0;
+  std::array<double, 4> x{}, y{};
+};
+
+/// Where a grid of coefficients lies in memory and how many functions meet at a point.
+struct PointGrid {
+  std::ptrdiff_t stride = 0;  ///< coefficients in a row
+  int functions = 4;          ///< degree + 1 in each direction, 3 or 4
+};
+
+/// out[i] = Σ_j b_i[j] c_j for the given rows.
+void point_values(const PointGrid& grid, std::span<const PointRow> rows, const double* c, double* out);
+/// c += Σ_i v_i b_i
+void add_point_values(const PointGrid& grid, std::span<const PointRow> rows, const double* v, double* c);
+/// out += factor Σ_i w_i b_i (b_i · c)
+void add_point_products(const PointGrid& grid, std::span<const PointRow> rows, const double* w, double factor,
+                        const double* c, double* out);
+
+/// Sum of the products of one cell's points: entry [b][f][a][e] is Σ_i w_i y_b y_f x_a x_e, for b <= f.
+using CellSum = std::array<double, 256>;
+void add_to_cell_sum(int functions, std::span<const PointRow> rows, std::span<const double> w, CellSum& sum);
+
+/// lower[i] += factor s[i] upper_in[i] and, if `both`, upper[i] += factor s[i] lower_in[i]: one entry of a symmetric
+/// stencil.
+struct StencilRows {
+  const double* entry;
+  const double* lower_in;
+  const double* upper_in;
+  double* lower;
+  double* upper;
+};
+void add_stencil_rows(const StencilRows& rows, double factor, bool both, std::ptrdiff_t n);
+
+}  // namespace batten

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include <batten/bases/blocks.h>
+#include <batten/fem/smoother.h>
+
+#include <algorithm>
+
+namespace batten {
+namespace {
+
+struct RowUpdate {
+  double lambda, keep, gain, old;
+};
+
+// r -= λ Ez; next = keep z + gain D^-1 r; x += old z + next. Ez comes in `next`.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void update_row(const RowUpdate& u, const double* __restrict inverse, const double* __restrict z,
+                double* __restrict next, double* __restrict r, double* __restrict x, std::ptrdiff_t n) {
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const double residual = r[i] - u.lambda * next[i];
+    const double value = u.keep * z[i] + u.gain * (inverse[i] * residual);
+    r[i] = residual;
+    next[i] = value;
+    x[i] += u.old * z[i] + value;
+  }
+}
+
+Eigen::SparseMatrix<double> from_columns(int size, std::vector<int>& starts, std::vector<int>& rows,
+                                         std::vector<double>& values) {
+  return Eigen::Map<const Eigen::SparseMatrix<double>>(size, size, static_cast<int>(values.size()), starts.data(),
+                                                       rows.data(), values.data());
+}
+
+}  // namespace
+
+Smoother::Smoother(const Hierarchy::Level& level, const GridPoints& points, bool stored)
+    : level_(&level), data_(level.space, points, stored), energy_diagonal_(level.energy.diagonal()) {}
+
+void Smoother::set(double lambda, std::span<const double> weights, Kind kind) {
+  lambda_ = lambda;
+  data_.set_weights(weights);
+  points_factor_.reset();
+  grid_factor_.reset();
+  inverse_diagonal_.assign(size(), 0.);
+  if (kind == Kind::Plain) data_.add_adjoint(weights, inverse_diagonal_);
+  for (std::size_t i = 0; i < size(); ++i)
+    inverse_diagonal_[i] = 1 / (inverse_diagonal_[i] + lambda * level_->bound * energy_diagonal_[i]);
+  if (kind == Kind::DataAware) data_.is_stored() ? factor_grid() : factor_points();
+}
+
+std::vector<double> Smoother::compliance() const {
+  std::vector<double> ones(data_.size(), 1.), sum(size()), result(data_.size());
+  data_.add_adjoint(ones, sum);
+  for (std::size_t i = 0; i < size(); ++i) sum[i] /= lambda_ * level_->bound * energy_diagonal_[i];
+  data_.values(sum, result);
+  return result;
+}
+
+// K_ij = δ_ij / w_i + Σ_c b_i[c] b_j[c] / D_c over the coefficients that points i and j share.
+void Smoother::factor_points() {
+  const int d = level_->space.x.degree(), n = level_->space.x.size(), rows = level_->space.y.interval().cells();
+  const std::size_t count = data_.size();
+  std::vector<int> starts = {0}, indices;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto a = data_.row(i);
+    for (int r = a.first_y; r <= std::min(a.first_y + d, rows - 1); ++r) {
+      std::size_t low = std::max(i, data_.first_point(r));
+      const std::size_t high = data_.first_point(r + 1);
+      for (std::size_t step = high - std::min(low, high); step > 0;
+           step /= 2)  // first point of the row that can meet i
+        while (low + step <= high && low + step > i && data_.row(low + step - 1).first_x < a.first_x - d) low += step;
+      for (std::size_t j = low; j < high; ++j) {
+        const auto b = data_.row(j);
+        if (b.first_x > a.first_x + d) break;
+        double sum = i == j ? 1 / data_.weights()[i] : 0;
+        for (int q = std::max(a.first_y, b.first_y); q <= std::min(a.first_y, b.first_y) + d; ++q)
+          for (int p = std::max(a.first_x, b.first_x); p <= std::min(a.first_x, b.first_x) + d; ++p) {
+            const auto ap = static_cast<std::size_t>(p - a.first_x), aq = static_cast<std::size_t>(q - a.first_y);
+            const auto bp = static_cast<std::size_t>(p - b.first_x), bq = static_cast<std::size_t>(q - b.first_y);
+            sum += a.x[ap] * a.y[aq] * b.x[bp] * b.y[bq] * inverse_diagonal_[static_cast<std::size_t>(q) * n + p];
+          }
+        indices.push_back(static_cast<int>(j));
+        values.push_back(sum);
+      }
+    }
+    starts.push_back(static_cast<int>(indices.size()));
+  }
+  points_factor_.emplace(from_columns(static_cast<int>(count), starts, indices, values));
+  point_values_.resize(count);
+}
+
+// M = D + B^T W B from the stencil.
+void Smoother::factor_grid() {
+  const int d = level_->space.x.degree(), nx = level_->space.x.size(), ny = level_->space.y.size();
+  std::vector<int> starts = {0}, indices;
+  std::vector<double> values;
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
+        for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
+          const int index = (j + dy) * nx + i + dx;
+          const double diagonal = dx == 0 && dy == 0 ? 1 / inverse_diagonal_[static_cast<std::size_t>(index)] : 0;
+          indices.push_back(index);
+          values.push_back(diagonal + data_.entry(i, j, dx, dy));
+        }
+      starts.push_back(static_cast<int>(indices.size()));
+    }
+  grid_factor_.emplace(from_columns(nx * ny, starts, indices, values));
+}
+
+void Smoother::apply(std::span<const double> c, std::span<double> out) const {
+  const auto& products = level_->energy.products();
+  const std::ptrdiff_t n = products.output_columns();
+  for_blocks(RowBlocks(products.output_rows(), products.output_columns()), [&](int begin, int end) {
+    for (int j = begin; j < end; ++j) {
+      double* row = out.data() + j * n;
+      products.row(j, c.data(), row);
+      for (std::ptrdiff_t i = 0; i < n; ++i) row[i] *= lambda_;
+    }
+  });
+  data_.add_normal(1, c, out);
+}
+
+void Smoother::precondition(std::span<const double> r, std::span<double> out) const {
+  const auto n = static_cast<std::ptrdiff_t>(r.size());
+  if (grid_factor_) {
+    std::copy(r.begin(), r.end(), out.begin());
+    return grid_factor_->solve(out);
+  }
+  const double* inverse = inverse_diagonal_.data();
+#pragma omp parallel for simd schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) out[static_cast<std::size_t>(i)] = inverse[i] * r[static_cast<std::size_t>(i)];
+  if (!points_factor_) return;
+  data_.values(out, point_values_);
+  points_factor_->solve(point_values_);
+  for (double& v : point_values_) v = -v;
+  std::copy(r.begin(), r.end(), out.begin());
+  data_.add_adjoint(point_values_, out);
+#pragma omp parallel for simd schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) out[static_cast<std::size_t>(i)] *= inverse[i];
+}
+
+/// Steps of the Chebyshev polynomial of the fourth kind on (0, 1]; one of them is given to the zero at 1 if the data
+/// are exact.
+std::vector<Smoother::Step> Smoother::chebyshev_steps(int degree) const {
+  const bool aware = points_factor_ || grid_factor_;
+  std::vector<Step> steps;
+  for (int i = 0; i < (aware ? degree - 1 : degree); ++i)
+    steps.push_back({i == 0 ? 0. : (2. * i - 1) / (2. * i + 3), i == 0 ? 4. / 3 : (8. * i + 4) / (2. * i + 3)});
+  if (aware) steps.push_back({0., 1.});
+  return steps;
+}
+
+/// r -= A z
+void Smoother::subtract_product(Work& work) const {
+  advance({0, 0}, false, work);
+  std::swap(work.z, work.next);
+}
+
+void Smoother::start(Step step, Work& work) const {
+  precondition(work.r, work.z);
+  const auto n = static_cast<std::ptrdiff_t>(size());
+#pragma omp parallel for simd schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    work.x[k] = work.z[k] *= step.gain;
+  }
+}
+
+void Smoother::advance(Step step, bool add_old, Work& work) const {
+  data_.add_normal(-1, work.z, work.r);
+  const bool aware = points_factor_ || grid_factor_;
+  const auto& products = level_->energy.products();
+  const std::ptrdiff_t n = products.output_columns();
+  const RowUpdate update{lambda_, step.keep, aware ? 0 : step.gain, add_old ? 1. : 0.};
+  for_blocks(RowBlocks(products.output_rows(), products.output_columns()), [&](int begin, int end) {
+    for (int j = begin; j < end; ++j) {
+      double* next = work.next.data() + j * n;
+      products.row(j, work.z.data(), next);
+      update_row(update, inverse_diagonal_.data() + j * n, work.z.data() + j * n, next, work.r.data() + j * n,
+                 work.x.data() + j * n, n);
+    }
+  });
+  std::swap(work.z, work.next);
+  if (!aware || step.gain == 0) return;
+  precondition(work.r, work.next);
+  const auto size = static_cast<std::ptrdiff_t>(work.z.size());
+#pragma omp parallel for simd schedule(static)
+  for (std::ptrdiff_t i = 0; i < size; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double more = step.gain * work.next[k];
+    work.z[k] += more;
+    work.x[k] += more;
+  }
+}
+
+void Smoother::smooth_first(int degree, Work& work) const {
+  const auto steps = chebyshev_steps(degree);
+  start(steps.front(), work);
+  for (std::size_t i = 1; i < steps.size(); ++i) advance(steps[i], false, work);
+  subtract_product(work);
+}
+
+void Smoother::smooth_last(int degree, Work& work) const {
+  auto steps = chebyshev_steps(degree);
+  if (points_factor_ || grid_factor_) std::rotate(steps.begin(), steps.end() - 1, steps.end());
+  for (std::size_t i = 0; i < steps.size(); ++i) advance(steps[i], i == 0, work);
+}
+
+}  // namespace batten

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/fem/data_term.h>
+#include <batten/fem/hierarchy.h>
+#include <batten/fem/sparse_cholesky.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace batten {
+
+/// Chebyshev smoothing of A = λ E + Σ_i w_i b_i b_i^T on one level.
+///
+/// The polynomials are those of the fourth kind, which need an upper bound of the spectrum only [Lottes 2023]; the
+/// matrix M behind them satisfies M >= A, so that bound is 1. Two choices of M:
+///
+///   plain       M = D + diag(B^T w), D = λ bound diag(E); the data part is lumped, which suffices while it is not much
+///   stiffer. data-aware  M = D + B^T W B, inverted exactly by M^-1 = D^-1 - D^-1 B^T K^-1 B D^-1 with the sparse
+///   matrix
+///               K = W^-1 + B D^-1 B^T of the points; its polynomial has a zero at 1, so that what the data see is
+///               removed at once and the rest is smoothed among functions that vanish at the points. Robust for λ -> 0.
+///               Where points outnumber coefficients M itself is factored.
+class Smoother {
+public:
+  enum class Kind { Plain, DataAware };
+
+  /// `stored` asks for the stencil form of the data term.
+  Smoother(const Hierarchy::Level& level, const GridPoints& points, bool stored = false);
+
+  /// Sets λ and the weights of the points. Throws SolverError if K cannot be factored.
+  void set(double lambda, std::span<const double> weights, Kind kind);
+
+  const Hierarchy::Level& level() const { return *level_; }
+  const DataTerm& data() const { return data_; }
+  double lambda() const { return lambda_; }
+  std::size_t size() const { return level_->space.size(); }
+
+  /// How much the points give way when D alone resists: comp_i = Σ_j b_i · D^-1 b_j, in the order of the points.
+  std::vector<double> compliance() const;
+
+  /// out = A c
+  void apply(std::span<const double> c, std::span<double> out) const;
+
+  /// Buffers of one level, each of size().
+  struct Work {
+    std::vector<double> x, r, z, next;
+    explicit Work(std::size_t size) : x(size), r(size), z(size), next(size) {}
+  };
+  /// x = p(A) r, then r -= A x: smoothing from zero. `degree` applications of A.
+  void smooth_first(int degree, Work& work) const;
+  /// x += z, a correction that r does not yet know of, then smooths. `degree` applications of A; r is left unfinished.
+  void smooth_last(int degree, Work& work) const;
+
+private:
+  /// z <- keep z + gain M^-1 r
+  struct Step {
+    double keep, gain;
+  };
+  std::vector<Step> chebyshev_steps(int degree) const;
+  void start(Step step, Work& work) const;
+  void advance(Step step, bool add_old, Work& work) const;
+  void subtract_product(Work& work) const;
+  void precondition(std::span<const double> r, std::span<double> out) const;
+  void factor_points();
+  void factor_grid();
+
+  const Hierarchy::Level* level_;
+  DataTerm data_;
+  double lambda_ = 1;
+  std::vector<double> energy_diagonal_;          // diag(E)
+  std::vector<double> inverse_diagonal_;         // of D, or of D + diag(B^T w)
+  std::optional<SparseCholesky> points_factor_;  // of K
+  std::optional<SparseCholesky> grid_factor_;    // of M, where points outnumber coefficients
+  mutable std::vector<double> point_values_;     // buffer of `precondition`
+};
+
+}  // namespace batten

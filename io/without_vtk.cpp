@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What stands in for image_file, point_file and picture where Batten is built without VTK.
+#include <batten/domains/errors.h>
+#include <batten/io/image_file.h>
+#include <batten/io/picture.h>
+#include <batten/io/point_file.h>
+
+namespace batten {
+namespace {
+
+[[noreturn]] void refuse(const std::string& subject, const std::string& advice) {
+  throw IoError(subject + ": this build of Batten has no VTK" + advice);
+}
+
+}  // namespace
+
+void write_image(const std::filesystem::path& path, const GridSamples&, const Record&) {
+  refuse(path.string(), " and cannot write .vti files; write .csv");
+}
+
+Record read_record(const std::filesystem::path& path) { refuse(path.string(), " and cannot read .vti files"); }
+
+void write_points(const std::filesystem::path& path, const ScatteredSamples&) {
+  refuse(path.string(), " and cannot write .vtp files; write .csv");
+}
+
+Picture draw_picture(const GridSamples&, const ScatteredSamples&, const PictureOptions&) {
+  refuse("draw_picture", " and cannot draw pictures");
+}
+
+void write_picture(const std::filesystem::path& path, const GridSamples&, const ScatteredSamples&,
+                   const PictureOptions&) {
+  refuse(path.string(), " and cannot draw pictures");
+}
+
+}  // namespace batten
