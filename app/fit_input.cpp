@@ -37,18 +37,22 @@ std::array<double, 4> box_of(const FitArguments& arguments, const Observations& 
   return {*xmin, *xmax, *ymin, *ymax};
 }
 
-// The size of the fit as far as it is known before the grid is made, which for absurd numbers takes memory itself.
+FitSize fit_size(const FitArguments& arguments, const Observations& points, double cells_x, double cells_y) {
+  const Smoothing::Kind kind = smoothing_of(arguments).kind;
+  const bool interpolates = kind == Smoothing::Kind::None || kind == Smoothing::Kind::Tolerance;
+  return {cells_x, cells_y, arguments.degree, static_cast<double>(points.size()), interpolates};
+}
+
+// The size as far as it is known before the grid is made, which for absurd numbers takes memory itself.
 FitSize expected_size(const FitArguments& arguments, const Observations& points, double aspect) {
-  FitSize size{0, 0, arguments.degree, static_cast<double>(points.size())};
   if (arguments.cells) {
-    size.cells_x = static_cast<double>((*arguments.cells)[0]);
-    size.cells_y = static_cast<double>((*arguments.cells)[1]);
-  } else if (arguments.spacing) {
-    const std::array<double, 4> box = box_of(arguments, points);
-    size.cells_x = std::ceil((box[1] - box[0]) / *arguments.spacing);
-    size.cells_y = std::ceil((box[3] - box[2]) * aspect / *arguments.spacing);
+    const auto [nx, ny] = *arguments.cells;
+    return fit_size(arguments, points, static_cast<double>(nx), static_cast<double>(ny));
   }
-  return size;
+  if (!arguments.spacing) return fit_size(arguments, points, 0, 0);
+  const std::array<double, 4> box = box_of(arguments, points);
+  return fit_size(arguments, points, std::ceil((box[1] - box[0]) / *arguments.spacing),
+                  std::ceil((box[3] - box[2]) * aspect / *arguments.spacing));
 }
 
 std::array<int, 2> as_integers(const std::array<std::int64_t, 2>& cells) {
@@ -100,8 +104,7 @@ Rectangle grid_of(const FitArguments& arguments, const Observations& observation
   choice.aspect = aspect;
   if (arguments.cells) choice.cells = as_integers(*arguments.cells);
   const Rectangle grid = choose_grid(observations.x, observations.y, choice);
-  check_memory({static_cast<double>(grid.x.cells()), static_cast<double>(grid.y.cells()), arguments.degree,
-                static_cast<double>(observations.size())});
+  check_memory(fit_size(arguments, observations, grid.x.cells(), grid.y.cells()));
   return grid;
 }
 

@@ -58,9 +58,11 @@ double process_memory() {
 }  // namespace
 
 double fit_memory(const FitSize& size) {
-  constexpr double per_unknown = 400, per_point = 150, at_least = 5e7;
+  // Measured at 64^2 to 2048^2 cells and 10^3 to 10^6 points; interpolation factors a matrix that couples the points.
+  constexpr double per_unknown = 400, per_point = 350, per_interpolated_point = 2500, at_least = 4e7;
   const double unknowns = (size.cells_x + size.degree) * (size.cells_y + size.degree);
-  return at_least + per_unknown * unknowns + per_point * size.points;
+  const bool couples = size.interpolates && size.points <= unknowns;
+  return at_least + per_unknown * unknowns + (couples ? per_interpolated_point : per_point) * size.points;
 }
 
 double available_memory() { return std::min({machine_memory(), group_memory(), process_memory()}); }

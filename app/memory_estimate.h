@@ -8,6 +8,7 @@ struct FitSize {
   double cells_x = 0, cells_y = 0;
   int degree = 3;
   double points = 0;
+  bool interpolates = false;  ///< no smoothing, or a tolerance
 };
 
 /// Bytes that a fit of this size needs at its peak, measured; an estimate, not a bound.

@@ -4,12 +4,13 @@
 #include <batten/io/text_source.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace batten {
 
 std::vector<std::string> point_columns(const std::string& file) {
   const std::vector<std::string> named = {"x", "y"};
-  if (file == "-") return named;
+  if (file == "-" || !std::filesystem::is_regular_file(file)) return named;
   const TextSource source(file);
   std::string_view text = source.text();
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

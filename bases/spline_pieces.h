@@ -16,7 +16,7 @@ struct SplinePiece {
 };
 
 /// The pieces of all cells of the clamped B-spline basis (knots at both ends repeated degree + 1 times) on integer
-/// breakpoints, by the Cox-de Boor recursion in rationals [de Boor 2001, ch. IX (14)].
+/// breakpoints, by the Cox-de Boor recursion in rationals [de Boor 1978, ch. IX (14)].
 std::vector<SplinePiece> spline_pieces(std::span<const int> breakpoints, int degree);
 
 /// ∫ N_i^(r) N_j^(s) dt over the whole interval, exact, for all i, j of the clamped basis: entry [i][j - i + degree],

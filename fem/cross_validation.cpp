@@ -183,28 +183,4 @@ CrossValidationResult cross_validate(FitProblem& problem, const FitData& data, c
   return result;
 }
 
-double effective_degrees(const FitProblem& problem, const FitOptions& options, std::size_t exact_up_to) {
-  const std::size_t n = problem.size();
-  const bool exact = n <= exact_up_to;
-  const int probes = exact ? static_cast<int>(n) : 16;
-  IterationLimits limits = options.limits;
-  limits.accuracy = std::max(search_accuracy, limits.accuracy);
-  double trace = 0;
-  std::vector<double> v(n), c(problem.system().size());
-  for (int k = 0; k < probes; ++k) {
-    if (exact) {
-      std::fill(v.begin(), v.end(), 0.);
-      v[static_cast<std::size_t>(k)] = 1;
-    } else {
-      v = random_signs(n, options.seed, static_cast<std::uint64_t>(k));
-    }
-    for (std::size_t i = 0; i < n; ++i) v[i] /= std::sqrt(problem.weight()[i]);
-    const auto b = problem.right_side(problem.weight(), v);
-    std::fill(c.begin(), c.end(), 0.);
-    solve(problem.system(), b, c, limits);
-    for (std::size_t i = 0; i < c.size(); ++i) trace += b[i] * c[i];
-  }
-  return exact ? trace : trace / probes;
-}
-
 }  // namespace batten

@@ -27,8 +27,4 @@ struct CrossValidationResult {
 /// scores on the last grid refines it.
 CrossValidationResult cross_validate(FitProblem& problem, const FitData& data, const FitOptions& options);
 
-/// tr H at the λ set in the problem's system: N for interpolation, the dimension of the null space for λ -> ∞.
-/// Estimated by probes; exact (a solve for each point) where there are no more points than `exact_up_to`.
-double effective_degrees(const FitProblem& problem, const FitOptions& options, std::size_t exact_up_to);
-
 }  // namespace batten

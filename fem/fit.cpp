@@ -185,8 +185,9 @@ FitResult fit_surface(const Observations& observations, const Rectangle& region,
 
   if (options.standard_error)
     timed(result.seconds, "standard error", [&] {
-      result.effective_degrees = effective_degrees(problem, options, most_exact_points);
-      result.standard_error = standard_error(problem, fit.coefficients, *result.effective_degrees, options);
+      auto found = uncertainty(problem, fit.coefficients, options);
+      result.effective_degrees = found.effective_degrees;
+      result.standard_error = std::move(found.standard_error);
       for (double& s : result.standard_error) s *= data.scale;
     });
   return result;

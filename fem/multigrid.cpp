@@ -45,7 +45,7 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
   const auto give = finest.compliance();
   double stiffness = 0;
   for (std::size_t i = 0; i < w.size(); ++i) stiffness = std::max(stiffness, w[i] * give[i]);
-  data_aware_ = levels_.size() > 1 && stiffness > 1 && can_be_data_aware();
+  data_aware_ = levels_.size() > 1 && stiffness > 0.5 && can_be_data_aware();
   if (data_aware_) finest.set(lambda, w, Smoother::Kind::DataAware);
   for (std::size_t k = 1; k < levels_.size(); ++k) {
     if (data_aware_) soften(levels_[k - 1]);

@@ -13,7 +13,7 @@ namespace batten {
 
 /// Chebyshev smoothing of A = λ E + Σ_i w_i b_i b_i^T on one level.
 ///
-/// The polynomials are those of the fourth kind, which need an upper bound of the spectrum only [Lottes 2023]; the
+/// The polynomials are those of the fourth kind, which need an upper bound of the spectrum only [Lottes 2022]; the
 /// matrix M behind them satisfies M >= A, so that bound is 1. Two choices of M:
 ///
 ///   plain       M = D + diag(B^T w), D = λ bound diag(E); the data part is lumped, which suffices while it is not much

@@ -12,6 +12,8 @@
 namespace batten {
 namespace {
 
+constexpr int case_width = 26;
+
 std::string text_of(double value) {
   const bool whole = value == std::floor(value) && std::abs(value) < 1e9;
   char text[40];
@@ -56,8 +58,10 @@ void Report::table(const std::string& title, const std::vector<std::string>& col
   content_->widths.clear();
   std::printf("\n%s\n", title.c_str());
   for (const auto& column : columns) {
-    content_->widths.push_back(std::max(9, static_cast<int>(column.size())));
-    std::printf("  %*s", content_->widths.back(), column.c_str());
+    // the first column, to the left, is the case; the others are what was found
+    const bool first = content_->widths.empty();
+    content_->widths.push_back(first ? -case_width : std::max(9, static_cast<int>(column.size())));
+    std::printf("%s%*s", first ? "" : "  ", content_->widths.back(), column.c_str());
   }
   std::printf("\n");
   std::fflush(stdout);
@@ -68,7 +72,7 @@ void Report::row(const std::vector<Cell>& cells) {
   auto row = nlohmann::json::array();
   for (std::size_t k = 0; k < cells.size(); ++k) {
     row.push_back(json_of(cells[k]));
-    std::printf("  %*s", content_->widths[k], cells[k].text.c_str());
+    std::printf("%s%*s", k == 0 ? "" : "  ", content_->widths[k], cells[k].text.c_str());
   }
   content_->tables.back()["rows"].push_back(row);
   std::printf("\n");

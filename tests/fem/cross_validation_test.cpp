@@ -80,8 +80,9 @@ TEST(EffectiveDegrees, are_the_trace_of_the_influence_matrix) {
   for (double lambda : {1e-8, 1e-5, 1e-2}) {
     problem.system().set(lambda, problem.weight());
     const double exact = dense.trace(lambda);
-    EXPECT_NEAR(effective_degrees(problem, options, 1000), exact, 1e-3 * exact);
-    EXPECT_NEAR(effective_degrees(problem, options, 0), exact, 4 * std::sqrt(2 * exact / 16));
+    const std::vector<double> c(problem.system().size());
+    EXPECT_NEAR(uncertainty(problem, c, options).effective_degrees, exact, 1e-3 * exact);
+    EXPECT_NEAR(uncertainty(problem, c, options, 0).effective_degrees, exact, 4 * std::sqrt(2 * exact / 64));
   }
 }
 
