@@ -12,7 +12,7 @@ namespace {
 constexpr double default_margin = 0.05;  // of the longer side
 constexpr double default_cells = 256;    // on the longer side
 constexpr int coarsest_cells = 8;
-constexpr double most_cells = 1 << 30;
+constexpr double most_cells = 1 << 29;
 
 std::string number(double v) {
   std::string text = std::to_string(v);
@@ -39,10 +39,8 @@ void check_region(const std::array<double, 4>& r) {
 
 /// Cells of length h that cover `length`, a multiple of `unit`.
 int covering_cells(double length, double h, int unit) {
-  const double cells = std::ceil(length / h * (1 - 1e-9) / unit) * unit;
-  if (!(cells < most_cells))
-    throw InvalidInput("spacing: expected at most " + number(most_cells) + " cells on a side, found " + number(cells));
-  return std::max(static_cast<int>(cells), std::max(unit, 2));
+  const auto cells = static_cast<int>(std::ceil(length / h * (1 - 1e-9) / unit) * unit);
+  return std::max(cells, std::max(unit, 2));
 }
 
 }  // namespace
@@ -61,6 +59,9 @@ Rectangle choose_grid(std::span<const double> x, std::span<const double> y, cons
   const double width = r[1] - r[0], height = (r[3] - r[2]) * choice.aspect, longer = std::max(width, height);
   const double h = choice.spacing ? *choice.spacing : longer / default_cells;
   if (!(h > 0) || !std::isfinite(h)) throw InvalidInput("spacing: expected a positive number, found " + number(h));
+  if (!(longer / h < most_cells))
+    throw InvalidInput("spacing: expected at most " + number(most_cells) + " cells on a side, found " +
+                       number(longer / h));
   int unit = 1;  // 2^k with at most 8 cells left on the longer side
   while (std::ceil(longer / h * (1 - 1e-9) / unit) > coarsest_cells) unit *= 2;
   const double shorter = std::min(width, height) / h;
