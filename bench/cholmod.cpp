@@ -13,6 +13,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace batten {
@@ -74,10 +75,10 @@ struct Direct {
 };
 
 Direct solve_directly(const FitProblem& problem, const Vector& b) {
-  const auto matrix = assemble(problem);
+  auto matrix = assemble(problem);
   Direct result;
   std::optional<SupernodalCholesky> direct;
-  result.analysis = seconds_of([&] { direct.emplace(matrix); });
+  result.analysis = seconds_of([&] { direct.emplace(std::move(matrix)); });
   const double available = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (1.3 * static_cast<double>(direct->factor_bytes()) > available) return {};
   result.factor = seconds_of([&] { direct->factor(); });

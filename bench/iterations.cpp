@@ -5,8 +5,8 @@
 #include <batten/bench/support/test_surface.h>
 #include <batten/fem/fit_problem.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -45,6 +45,13 @@ struct NamedEnergy {
   Energy energy;
 };
 
+std::vector<int> count_sizes(const Observations& observations, const std::vector<Cells>& sizes,
+                             const FitOptions& options) {
+  std::vector<int> counts;
+  for (const auto& cells : sizes) counts.push_back(Count(observations, cells, options).iterations(moderate_lambda));
+  return counts;
+}
+
 void count_over_sizes(Report& report, std::size_t points) {
   const auto observations = random_observations(points);
   const std::vector<Cells> sizes = {{64, 64},     {128, 128},   {256, 256},  {512, 512},
@@ -54,21 +61,18 @@ void count_over_sizes(Report& report, std::size_t points) {
   report.table("iterations, lambda 1e-6, " + std::to_string(points) + " random points", columns);
   const std::vector<NamedEnergy> energies = {
       {"membrane", Energy::membrane()}, {"thin plate", Energy::thin_plate()}, {"tension 0.9", Energy::tension(0.9)}};
-  for (const auto& energy : energies) {
-    int most = 0;
+  for (const auto& energy : energies)
     for (int degree : {2, 3}) {
-      FitOptions options{.energy = energy.energy, .degree = degree};
+      const auto counts = count_sizes(observations, sizes, {.energy = energy.energy, .degree = degree});
       std::vector<Cell> row = {energy.name, degree};
-      for (const auto& cells : sizes) {
-        const int iterations = Count(observations, cells, options).iterations(moderate_lambda);
-        most = std::max(most, iterations);
-        row.push_back(iterations);
-      }
+      row.insert(row.end(), counts.begin(), counts.end());
       report.row(row);
+      const std::string what =
+          energy.name + ", degree " + std::to_string(degree) + ", " + std::to_string(points) + " points";
+      report.at_most("iterations, 64^2 to 2048^2, " + what, 12, *std::max_element(counts.begin(), counts.end() - 2));
+      report.at_most("iterations, 1000 x 700 and 1023 x 509, " + what, 12,
+                     *std::max_element(counts.end() - 2, counts.end()));
     }
-    report.at_most("iterations, " + energy.name + ", degree 2 and 3, all sizes, " + std::to_string(points) + " points",
-                   12, most);
-  }
 }
 
 void count_over_lambda(Report& report, std::size_t points) {

@@ -49,36 +49,44 @@ Cost cost_of_solve(int cells, const Observations& observations, Triad& triad) {
   return cost;
 }
 
+struct Extremes {
+  double growth = 0;       ///< time for each unknown and iteration, largest over smallest size
+  double worst_bound = 0;  ///< of the sizes that no cache holds
+};
+
+Extremes measure_sizes(Report& report, const Observations& observations, int threads, Triad& triad) {
+  omp_set_num_threads(threads);
+  report.table(
+      "thin plate, degree 3, lambda 1e-6, " + std::to_string(observations.size()) +
+          " points, threads: " + std::to_string(threads),
+      {"cells", "iterations", "ns / unknown / iteration", "over 256^2", "bytes / unknown / iteration", "time / bound"});
+  Extremes result;
+  double smallest = 0;
+  for (int cells : {256, 512, 1024, 2048}) {
+    const Cost cost = cost_of_solve(cells, observations, triad);
+    if (smallest == 0) smallest = cost.nanoseconds;
+    result.growth = cost.nanoseconds / smallest;
+    if (cells >= 1024) result.worst_bound = std::max(result.worst_bound, cost.of_bound);
+    report.row(
+        {std::to_string(cells) + "^2", cost.iterations, cost.nanoseconds, result.growth, cost.bytes, cost.of_bound});
+  }
+  return result;
+}
+
 void measure(Report& report) {
   const int all_threads = omp_get_max_threads();
   Triad triad;
-  report.note("threads", all_threads);
-  report.note("triad array, MB", static_cast<double>(triad.array_bytes() >> 20));
-  report.note("last-level cache, MB", static_cast<double>(cache_bytes() >> 20));
-  double worst_bound = 0;
+  report.note("threads of the goals", all_threads);
+  report.note("triad: MB of each of three arrays", static_cast<double>(triad.array_bytes() >> 20));
+  report.note("largest cache that the system reports, MB", static_cast<double>(cache_bytes() >> 20));
   for (const std::size_t points : {100'000, 10'000}) {
     const auto observations = random_observations(points);
-    for (int threads = all_threads; threads >= 1; threads -= std::max(1, all_threads - 1)) {
-      omp_set_num_threads(threads);
-      report.table(
-          std::to_string(points) + " points, thin plate, degree 3, lambda 1e-6, " + std::to_string(threads) +
-              " threads",
-          {"cells", "iterations", "ns/unknown/iteration", "over smallest", "bytes/unknown/iteration", "time / bound"});
-      double smallest = 0, largest = 0;
-      for (int cells : {256, 512, 1024, 2048}) {
-        const Cost cost = cost_of_solve(cells, observations, triad);
-        if (smallest == 0) smallest = cost.nanoseconds;
-        largest = cost.nanoseconds;
-        if (cells >= 1024 && threads == all_threads) worst_bound = std::max(worst_bound, cost.of_bound);
-        report.row({std::to_string(cells) + "^2", cost.iterations, cost.nanoseconds, cost.nanoseconds / smallest,
-                    cost.bytes, cost.of_bound});
-      }
-      if (threads == all_threads)
-        report.at_most("time per unknown, 2048^2 over 256^2, " + std::to_string(points) + " points", 2,
-                       largest / smallest);
-    }
+    const std::string text = ", " + std::to_string(points) + " points";
+    if (all_threads > 1) measure_sizes(report, observations, 1, triad);
+    const Extremes found = measure_sizes(report, observations, all_threads, triad);
+    report.at_most("time per unknown and iteration, 2048^2 over 256^2" + text, 2, found.growth);
+    report.at_most("time over what memory bandwidth allows, 1024^2 and 2048^2" + text, 3, found.worst_bound);
   }
-  report.at_most("time over what memory bandwidth allows, 1024^2 and 2048^2", 3, worst_bound);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ std::string line_of(const ChildCommand& command) {
   return line;
 }
 
-pid_t start(const ChildCommand& command) {
+pid_t start(ChildCommand command) {  // a copy, since posix_spawn asks for words that may change
   std::vector<char*> words;
-  for (const auto& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
+  for (auto& word : command.words) words.push_back(word.data());
   words.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

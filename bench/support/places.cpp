@@ -9,7 +9,7 @@
 namespace batten {
 
 std::string batten_command() {
-  const std::string command = BATTEN_COMMAND;
+  std::string command = BATTEN_COMMAND;
   if (command.empty()) throw std::runtime_error("this build has no command batten (BATTEN_BUILD_APP is off)");
   return command;
 }

@@ -6,15 +6,17 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace batten {
 
 struct SupernodalCholesky::State {
   cholmod_common common{};
-  cholmod_sparse matrix{};
+  Eigen::SparseMatrix<double> lower;
+  cholmod_sparse matrix{};  // refers to `lower`
   cholmod_factor* factor = nullptr;
 
-  State() {
+  explicit State(Eigen::SparseMatrix<double> l) : lower(std::move(l)) {
     cholmod_start(&common);
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.print = 0;
@@ -31,13 +33,15 @@ struct SupernodalCholesky::State {
   }
 };
 
-SupernodalCholesky::SupernodalCholesky(const Eigen::SparseMatrix<double>& lower) : state_(std::make_unique<State>()) {
+SupernodalCholesky::SupernodalCholesky(Eigen::SparseMatrix<double> matrix)
+    : state_(std::make_unique<State>(std::move(matrix))) {
+  auto& lower = state_->lower;
   auto& m = state_->matrix;
   m.nrow = m.ncol = static_cast<std::size_t>(lower.rows());
   m.nzmax = static_cast<std::size_t>(lower.nonZeros());
-  m.p = const_cast<int*>(lower.outerIndexPtr());
-  m.i = const_cast<int*>(lower.innerIndexPtr());
-  m.x = const_cast<double*>(lower.valuePtr());
+  m.p = lower.outerIndexPtr();
+  m.i = lower.innerIndexPtr();
+  m.x = lower.valuePtr();
   m.stype = -1;
   m.itype = CHOLMOD_INT;
   m.xtype = CHOLMOD_REAL;

@@ -13,8 +13,8 @@ namespace batten {
 /// CHOLMOD's supernodal factorisation L L^T with its own choice of ordering: the fastest direct solver at hand.
 class SupernodalCholesky {
 public:
-  /// Orders and analyses; `lower` holds the lower triangle and must outlive this object. Throws SolverError.
-  explicit SupernodalCholesky(const Eigen::SparseMatrix<double>& lower);
+  /// Orders and analyses; `lower` holds the lower triangle, compressed. Throws SolverError.
+  explicit SupernodalCholesky(Eigen::SparseMatrix<double> lower);
   ~SupernodalCholesky();
   SupernodalCholesky(const SupernodalCholesky&) = delete;
   SupernodalCholesky& operator=(const SupernodalCholesky&) = delete;
