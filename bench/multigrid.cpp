@@ -11,6 +11,7 @@
 
 #include <omp.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ Cost cost_of_solve(int cells, const Observations& observations, Triad& triad) {
   bandwidth = std::max(bandwidth, triad.bytes_per_second());
   cost.nanoseconds = 1e9 * seconds / static_cast<double>(b.size()) / cost.iterations;
   cost.bytes = iteration_traffic(problem.system()) / static_cast<double>(b.size());
+  if (problem.system().is_data_aware()) throw std::logic_error("the traffic of data-aware smoothing is not counted");
   cost.of_bound = seconds * bandwidth / solve_traffic(problem.system(), cost.iterations);
   return cost;
 }
