@@ -16,7 +16,7 @@ void let_threads_sleep(char** arguments) {
   if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
   ::setenv("OMP_WAIT_POLICY", "passive", 1);
   ::setenv("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1", 0);  // large pages: a fifth less time at a million points
-  ::execv("/proc/self/exe", arguments);  // returns only if it fails: then the threads spin
+  ::execv("/proc/self/exe", arguments);                     // returns only if it fails: then the threads spin
 }
 
 }  // namespace batten

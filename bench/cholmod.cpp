@@ -36,7 +36,7 @@ Eigen::SparseMatrix<double> assemble(const FitProblem& problem) {
       for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
         for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
           rows.push_back((j + dy) * nx + i + dx);
-          values.push_back(lambda * level.energy.entry(i, j, i + dx, j + dy) + data.entry(i, j, dx, dy));
+          values.push_back(lambda * level.energy.entry(i, j, i + dx, j + dy) + data.stencil().entry(i, j, dx, dy));
         }
       starts.push_back(static_cast<int>(rows.size()));
     }

@@ -31,6 +31,15 @@ double dot(std::span<const double> a, std::span<const double> b) {
   });
 }
 
+double distance(std::span<const double> a, std::span<const double> b) {
+  return std::sqrt(sum_over(a.size(), [&](std::size_t from, std::size_t to) {
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t i = from; i < to; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sum;
+  }));
+}
+
 /// c += step p and r -= step q in one pass.
 void move(double step, std::span<const double> p, std::span<const double> q, std::span<double> c, std::span<double> r) {
   sum_over(p.size(), [&](std::size_t from, std::size_t to) {
@@ -52,65 +61,134 @@ void turn(double factor, std::span<const double> z, std::span<double> p) {
   });
 }
 
-void residual(const Multigrid& system, std::span<const double> b, std::span<const double> c, Vector& r) {
-  system.apply(c, r);
-  for (std::size_t i = 0; i < r.size(); ++i) r[i] = b[i] - r[i];
+bool is_zero(std::span<const double> c) {
+  return std::all_of(c.begin(), c.end(), [](double v) { return v == 0; });
+}
+
+/// A x = b on one level of the multigrid.
+struct LevelSystem {
+  const Multigrid& system;
+  std::size_t level;
+
+  void apply(std::span<const double> c, std::span<double> out) const { system.apply(c, out, level); }
+  /// z = B r; returns r·z.
+  double precondition(const Vector& r, Vector& z) const {
+    system.precondition(r, z, level);
+    return std::max(0., dot(r, z));
+  }
+  /// r = b - A c
+  void residual(std::span<const double> b, std::span<const double> c, Vector& r) const {
+    apply(c, r);
+    sum_over(r.size(), [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) r[i] = b[i] - r[i];
+      return 0.;
+    });
+  }
+};
+
+/// What conjugate gradients carry from one run to the next: the residual r, z = B r and rz = r·z.
+struct State {
+  Vector r, z;
+  double rz = 0;
+  int iterations = 0;
+};
+
+/// Iterates until the recursive residual says that sqrt(rz) is at most `goal`. Where
+/// the coming step is expected to be the last, the true residual is put in place of the recursive one if the two agree,
+/// which saves a V-cycle; one more step may follow, in case it was not the last. Returns whether r is the true one.
+bool run(const LevelSystem& system, std::span<const double> b, std::span<double> c, double goal, int most_iterations,
+         State& state) {
+  auto& [r, z, rz, iterations] = state;
+  Vector p = z, q(z.size());
+  double factor = 0.3;
+  bool guessed = false, is_true = false;
+  while (iterations < most_iterations) {
+    ++iterations;
+    system.apply(p, q);
+    const double curvature = dot(p, q);
+    if (!(curvature > 0) || !(rz > 0))
+      throw SolverError("solve: expected a positive definite system, found a direction of energy " +
+                        std::to_string(curvature));
+    move(rz / curvature, p, q, c, r);
+    const bool was_true = is_true;
+    if (!guessed && std::sqrt(rz) * factor <= goal) {
+      guessed = true;
+      system.residual(b, c, q);
+      is_true = distance(q, r) <= 0.1 * std::sqrt(dot(r, r));
+      if (is_true) std::swap(q, r);
+    }
+    const double next = system.precondition(r, z), ratio = next / rz;
+    rz = next;
+    if (was_true || std::sqrt(rz) <= goal) break;
+    factor = std::sqrt(ratio);
+    turn(ratio, z, p);
+  }
+  return is_true;
+}
+
+/// Conjugate gradients from the start c until sqrt(r·Br) <= accuracy * scale; a scale of 0 stands for the first
+/// sqrt(r·Br).
+IterationResult iterate(const LevelSystem& system, std::span<const double> b, std::span<double> c,
+                        const IterationLimits& limits, double scale) {
+  State state{{b.begin(), b.end()}, Vector(b.size())};
+  auto& [r, z, rz, iterations] = state;
+  if (!is_zero(c)) system.residual(b, c, r);
+  rz = system.precondition(r, z);
+  if (scale == 0) scale = std::sqrt(rz);
+  const auto reached = [&] { return scale > 0 ? std::sqrt(state.rz) / scale : 0; };
+  for (int restarts = 0; restarts < 2 && reached() > limits.accuracy; ++restarts) {
+    if (!run(system, b, c, limits.accuracy * scale, limits.most_iterations, state)) {
+      system.residual(b, c, r);
+      rz = system.precondition(r, z);
+    }
+    if (reached() <= 10 * limits.accuracy || iterations >= limits.most_iterations) break;
+  }
+  return {iterations, reached()};
+}
+
+constexpr double predictor_accuracy = 0.2;  // on each coarse level, relative to its own start
+
+/// Full multigrid: the solution on the coarsest level is refined and improved level by level. `c` receives the start
+/// for the finest level. Returns the V-cycles spent, in units of the finest level.
+double predict(const Multigrid& system, std::span<const double> b, std::span<double> c) {
+  std::vector<Vector> right(system.levels());
+  right[0].assign(b.begin(), b.end());
+  for (std::size_t k = 1; k < right.size(); ++k) {
+    right[k].resize(system.size(k));
+    system.hierarchy()[static_cast<int>(k) - 1].restriction->apply(right[k - 1], right[k]);
+  }
+  double work = 0;
+  Vector coarse(system.size(right.size() - 1)), fine;
+  for (std::size_t k = right.size() - 1; k > 0; --k) {
+    const auto spent =
+        iterate({system, k}, right[k], coarse, {.accuracy = predictor_accuracy, .most_iterations = 20}, 0);
+    work += (spent.iterations + 1.) * static_cast<double>(system.size(k)) / static_cast<double>(system.size());
+    fine.resize(system.size(k - 1));
+    system.hierarchy()[static_cast<int>(k) - 1].refinement->apply(coarse, fine);
+    std::swap(coarse, fine);
+  }
+  std::copy(coarse.begin(), coarse.end(), c.begin());
+  return work;
 }
 
 }  // namespace
 
 double energy_size(const Multigrid& system, std::span<const double> b) {
-  Vector z(b.size());
-  system.precondition(b, z);
-  return std::sqrt(std::max(0., dot(b, z)));
+  Vector z;
+  return std::sqrt(LevelSystem{system, 0}.precondition({b.begin(), b.end()}, z));
 }
-
-namespace {
-
-IterationResult iterate(const Multigrid& system, std::span<const double> b, std::span<double> c,
-                        const IterationLimits& limits, double scale) {
-  const std::size_t n = b.size();
-  Vector r(b.begin(), b.end()), z(n), p(n), q(n);
-  IterationResult result;
-  const bool from_zero = std::all_of(c.begin(), c.end(), [](double v) { return v == 0; });
-  if (!from_zero) {
-    if (scale == 0) scale = energy_size(system, b);
-    residual(system, b, c, r);
-  }
-  for (int restart = 0;; ++restart) {
-    system.precondition(r, z);
-    double rz = dot(r, z);
-    if (scale == 0) scale = std::sqrt(std::max(0., rz));
-    result.accuracy = scale > 0 ? std::sqrt(std::max(0., rz)) / scale : 0;
-    if (!(result.accuracy > limits.accuracy) || restart == 2) return result;
-    p = z;
-    while (result.iterations < limits.most_iterations) {
-      ++result.iterations;
-      system.apply(p, q);
-      const double curvature = dot(p, q);
-      if (!(curvature > 0) || !(rz > 0))
-        throw SolverError("solve: expected a positive definite system, found a direction of energy " +
-                          std::to_string(curvature));
-      move(rz / curvature, p, q, c, r);
-      system.precondition(r, z);
-      const double next = dot(r, z);
-      const double accuracy = std::sqrt(std::max(0., next)) / scale;
-      if (accuracy <= limits.accuracy) break;
-      turn(next / rz, z, p);
-      rz = next;
-    }
-    residual(system, b, c, r);  // the true one; the loop ends if it agrees
-    system.precondition(r, z);
-    result.accuracy = std::sqrt(std::max(0., dot(r, z))) / scale;
-    if (result.accuracy <= 10 * limits.accuracy || result.iterations >= limits.most_iterations) return result;
-  }
-}
-
-}  // namespace
 
 IterationResult solve(const Multigrid& system, std::span<const double> b, std::span<double> c,
                       const IterationLimits& limits, double scale) {
-  const auto result = iterate(system, b, c, limits, scale);
+  double before = 0;
+  if (!is_zero(c)) {
+    if (scale == 0) scale = energy_size(system, b);
+  } else if (system.can_predict()) {
+    before = predict(system, b, c);
+    if (scale == 0) scale = std::sqrt(std::max(0., dot(b, c)));
+  }
+  auto result = iterate({system, 0}, b, c, limits, scale);
+  result.iterations += static_cast<int>(std::ceil(before));
   if (system.null_projection()) system.null_projection()->set_component(b, c);
   return result;
 }

@@ -15,17 +15,18 @@ struct IterationLimits {
 };
 
 struct IterationResult {
-  int iterations = 0;   ///< V-cycles spent
+  int iterations = 0;   ///< V-cycles spent, those on coarse levels in units of the finest
   double accuracy = 0;  ///< reached: sqrt(r·Br) / sqrt(b·Bb) with r recomputed from the operator
 };
 
 /// Solves A c = b by conjugate gradients preconditioned with the V-cycle; `c` holds the start and receives the
-/// solution.
+/// solution. A start at 0 is replaced by the one of full multigrid, where that is sound (Multigrid::can_predict).
 ///
 /// The error is measured in the energy norm; the 2-norm of the residual of a plate stalls by rounding far above what is
-/// reached. When the recursive residual says that the goal is reached, the residual is recomputed; if the two differ
-/// tenfold the iteration restarts once. The reference b·Bb is the `scale` given, or that of the right-hand side if it
-/// is 0. Throws SolverError if a direction of negative energy shows that the system is not positive definite.
+/// reached. The last residual is recomputed from the operator; if it says ten times more than the recursive one the
+/// iteration restarts once. The reference is the `scale` given; if that is 0, sqrt(b·c) of the full multigrid's start,
+/// the energy norm of the solution, or else sqrt(b·Bb). Throws SolverError if a direction of negative energy shows that
+/// the system is not positive definite.
 IterationResult solve(const Multigrid& system, std::span<const double> b, std::span<double> c,
                       const IterationLimits& limits = {}, double scale = 0);
 

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace batten {
 namespace {
 
-constexpr double search_accuracy = 1e-4;            // of the solves; scores depend on it quadratically
-constexpr double coarse_step = 2, fine_step = 0.1;  // in log10 λ
+constexpr double misfit_accuracy = 1e-3, probe_accuracy = 1e-2;  // of the first solves
+constexpr double coarse_step = 2, fine_step = 0.1;               // in log10 λ
 constexpr double refining_step = 0.4;
 
 int probe_count(std::size_t points) { return points < 200 ? 12 : points < 2000 ? 6 : points < 20000 ? 2 : 1; }
@@ -41,10 +42,12 @@ public:
     const auto known = values_.find(log_lambda);
     if (known != values_.end()) return known->second;
     problem_.system().set(std::pow(10., log_lambda), problem_.weight());
-    Value value{objective(problem_.value(), starts_[0]).misfit, 0, 0};
+    Value value{objective(problem_.value(), starts_[0], true).misfit, 0, 0};
     for (std::size_t k = 0; k < probes_.size(); ++k) {
+      // a probe's solution is rough: coarser levels give a better start than another λ
+      if (problem_.system().can_predict()) std::fill(starts_[k + 1].begin(), starts_[k + 1].end(), 0.);
       // ξ·(I - H) ξ / N in the basis in which H is symmetric
-      const double free = objective(probes_[k], starts_[k + 1]).least / static_cast<double>(problem_.size());
+      const double free = objective(probes_[k], starts_[k + 1], false).least / static_cast<double>(problem_.size());
       if (k == 0) value.first = free;
       value.free += free / static_cast<double>(probes_.size());
     }
@@ -65,30 +68,32 @@ private:
     double misfit, least;
   };
 
-  /// Solves for the values v as accurately as their misfit asks: the error in the objective is the square of the one in
-  /// p.
-  Objective objective(const std::vector<double>& v, std::vector<double>& c) {
+  /// Solves for the values v, as accurately as the result asks: its error is the square of the one in p, in the energy
+  /// norm. Starts at c and leaves the solution there.
+  Objective objective(const std::vector<double>& v, std::vector<double>& c, bool needs_misfit) {
     const auto b = problem_.right_side(problem_.weight(), v);
-    const double scale = energy_size(problem_.system(), b);
+    const auto product = [&](const std::vector<double>& a) {
+      return std::inner_product(a.begin(), a.end(), c.begin(), 0.);
+    };
     double size = 0;
     for (std::size_t i = 0; i < v.size(); ++i) size += problem_.weight()[i] * v[i] * v[i];
-    work_ += 1;
+    std::vector<double> image(c.size());
     IterationLimits limits = limits_;
-    std::vector<double> product(c.size());
-    for (limits.accuracy = search_accuracy;; limits.accuracy = std::max(limits.accuracy / 10, limits_.accuracy)) {
-      work_ += solve(problem_.system(), b, c, limits, scale).iterations + 1;
-      Objective result{0, size};
-      problem_.system().data().values(c, at_points_);
-      for (std::size_t i = 0; i < v.size(); ++i) {
-        const double r = v[i] - at_points_[i];
-        result.misfit += problem_.weight()[i] * r * r;
+    limits.accuracy = needs_misfit ? misfit_accuracy : probe_accuracy;
+    for (;;) {
+      work_ += solve(problem_.system(), b, c, limits, std::sqrt(std::max(0., product(b)))).iterations + 1;
+      problem_.system().apply(c, image);
+      Objective result{0, size - 2 * product(b) + product(image)};
+      double wanted = std::abs(result.least);
+      if (needs_misfit) {
+        problem_.system().data().values(c, at_points_);
+        for (std::size_t i = 0; i < v.size(); ++i)
+          result.misfit += problem_.weight()[i] * (v[i] - at_points_[i]) * (v[i] - at_points_[i]);
+        wanted = std::min(wanted, result.misfit);
       }
-      problem_.system().apply(c, product);
-      for (std::size_t i = 0; i < c.size(); ++i) result.least -= c[i] * (2 * b[i] - product[i]);
-      const double error = limits.accuracy * scale;
-      if (error * error <= 1e-3 * std::min(result.misfit, std::abs(result.least)) ||
-          limits.accuracy <= limits_.accuracy)
-        return result;
+      const double needed = std::sqrt(1e-3 * wanted / std::max(product(b), 1e-300));
+      if (limits.accuracy <= std::max(needed, limits_.accuracy)) return result;
+      limits.accuracy = std::max({needed / 2, limits.accuracy / 1000, limits_.accuracy});
     }
   }
 

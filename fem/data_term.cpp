@@ -51,34 +51,30 @@ void DataTerm::for_rows(int begin, int end, Work&& work) const {
   }
 }
 
-std::size_t DataTerm::plane(int dx, int dy) const {
-  const int d = space_.x.degree();
-  return static_cast<std::size_t>(dy == 0 ? dx : d + 1 + (dy - 1) * (2 * d + 1) + dx + d);
-}
-
-double DataTerm::entry(int i, int j, int dx, int dy) const {
-  const auto n = static_cast<std::size_t>(space_.x.size());
-  const auto planes = plane(space_.x.degree(), space_.x.degree()) + 1;
-  if (dy == 0 && dx < 0) return entry(i + dx, j, -dx, 0);
-  return stencil_[(static_cast<std::size_t>(j) * planes + plane(dx, dy)) * n + static_cast<std::size_t>(i)];
-}
-
 void DataTerm::set_weights(std::span<const double> weights) {
+  if (std::equal(weights.begin(), weights.end(), weights_.begin(), weights_.end())) return;
   weights_.assign(weights.begin(), weights.end());
+  ++revision_;
+  finer_revision_ = 0;
   if (!stored_) return;
-  const auto planes = plane(space_.x.degree(), space_.x.degree()) + 1;
-  stencil_.assign(planes * space_.size(), 0.);
+  stencil_ = SymmetricStencil(space_.y.size(), space_.x.size(), space_.x.degree());
   for_alternating_blocks(cell_row_blocks(space_), [&](int begin, int end) {
     for (int r = begin; r < end; ++r) accumulate_cell_row(r);
   });
+}
+
+void DataTerm::set_from_finer(const DataTerm& finer, const TensorSum& restriction) {
+  if (finer_revision_ == finer.revision_) return;
+  weights_.clear();
+  ++revision_;
+  finer_revision_ = finer.revision_;
+  stencil_ = finer.stencil_.galerkin(restriction);
 }
 
 void DataTerm::accumulate_cell_row(int cell_row) {
   const auto& interval = space_.x.interval();
   const std::size_t from = first_point(cell_row), to = first_point(cell_row + 1);
   const std::size_t n = static_cast<std::size_t>(space_.x.degree()) + 1;
-  const auto columns = static_cast<std::size_t>(space_.x.size());
-  const auto planes = plane(space_.x.degree(), space_.x.degree()) + 1;
   std::vector<std::size_t> order(to - from), start(static_cast<std::size_t>(interval.cells()) + 1, 0);
   for (std::size_t i = from; i < to; ++i) ++start[static_cast<std::size_t>(interval.cell_of(points_->x[i])) + 1];
   for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
@@ -95,11 +91,9 @@ void DataTerm::accumulate_cell_row(int cell_row) {
     for (std::size_t b = 0; b < n; ++b)
       for (std::size_t f = b; f < n; ++f)
         for (std::size_t a = 0; a < n; ++a)
-          for (std::size_t e = f == b ? a : 0; e < n; ++e) {
-            const auto q = plane(static_cast<int>(e) - static_cast<int>(a), static_cast<int>(f - b));
-            const auto row_index = static_cast<std::size_t>(cell_row) + b;
-            stencil_[(row_index * planes + q) * columns + cell + a] += sum[(b * n + f) * n * n + a * n + e];
-          }
+          for (std::size_t e = f == b ? a : 0; e < n; ++e)
+            stencil_.entries(cell_row + static_cast<int>(b), static_cast<int>(e) - static_cast<int>(a),
+                             static_cast<int>(f - b))[cell + a] += sum[(b * n + f) * n * n + a * n + e];
   }
 }
 
@@ -121,28 +115,11 @@ void DataTerm::add_adjoint(std::span<const double> v, std::span<double> c) const
 
 void DataTerm::add_normal(double factor, std::span<const double> c, std::span<double> out) const {
   if (size() == 0) return;
-  if (stored_) return add_normal_by_stencil(factor, c, out);
+  if (stored_) return stencil_.add_product(factor, c, out);
   for_alternating_blocks(cell_row_blocks(space_), [&](int begin, int end) {
     for_rows(begin, end, [&](std::size_t first, std::span<const PointRow> rows) {
       add_point_products(grid(), rows, weights_.data() + first, factor, c.data(), out.data());
     });
-  });
-}
-
-void DataTerm::add_normal_by_stencil(double factor, std::span<const double> c, std::span<double> out) const {
-  const int d = space_.x.degree(), n = space_.x.size(), rows = space_.y.size();
-  const std::ptrdiff_t planes = static_cast<std::ptrdiff_t>(plane(d, d)) + 1;
-  for_alternating_blocks(RowBlocks(rows, n * 16, 4), [&](int begin, int end) {
-    for (int j = begin; j < end; ++j)
-      for (int dy = 0; dy <= d && j + dy < rows; ++dy)
-        for (int dx = dy == 0 ? 0 : -d; dx <= d; ++dx) {
-          const int from = std::max(0, -dx), to = n - std::max(0, dx);
-          const std::ptrdiff_t low = static_cast<std::ptrdiff_t>(j) * n + from,
-                               high = low + static_cast<std::ptrdiff_t>(dy) * n + dx;
-          const double* s = stencil_.data() + (j * planes + static_cast<std::ptrdiff_t>(plane(dx, dy))) * n + from;
-          add_stencil_rows({s, c.data() + low, c.data() + high, out.data() + low, out.data() + high}, factor,
-                           dx != 0 || dy != 0, to - from);
-        }
   });
 }
 

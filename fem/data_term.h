@@ -3,6 +3,7 @@
 
 #include <batten/fem/operator.h>
 #include <batten/fem/point_kernels.h>
+#include <batten/fem/symmetric_stencil.h>
 
 #include <span>
 #include <vector>
@@ -31,6 +32,9 @@ public:
 
   /// The weights w_i, in the order of the points.
   void set_weights(std::span<const double> weights);
+  /// The weights of the finer level's term, from its stencil: R^T (Σ_i w_i b_i b_i^T) R. Both terms must be stored;
+  /// weights() is empty afterwards. Does nothing if the finer term has not changed since.
+  void set_from_finer(const DataTerm& finer, const TensorSum& restriction);
   std::span<const double> weights() const { return weights_; }
 
   /// out_i = Σ_j b_i[j] c_j: the spline at the points.
@@ -44,15 +48,13 @@ public:
   PointRow row(std::size_t point) const;
   /// Points whose cell row is r: first_point(r) .. first_point(r + 1) - 1.
   std::size_t first_point(int cell_row) const { return row_start_[static_cast<std::size_t>(cell_row)]; }
-  /// Stencil form only: entry between coefficient (i, j) and (i + dx, j + dy), 0 <= dy <= d.
-  double entry(int i, int j, int dx, int dy) const;
+  /// Σ_i w_i b_i b_i^T, in the stencil form only.
+  const SymmetricStencil& stencil() const { return stencil_; }
 
 private:
-  void add_normal_by_stencil(double factor, std::span<const double> c, std::span<double> out) const;
   template <typename Work>
   void for_rows(int begin, int end, Work&& work) const;
   void accumulate_cell_row(int cell_row);
-  std::size_t plane(int dx, int dy) const;
   PointGrid grid() const { return {space_.x.size(), space_.x.degree() + 1}; }
 
   SplineSpace space_;
@@ -60,8 +62,10 @@ private:
   bool stored_;
   std::vector<std::size_t> row_start_;
   std::vector<double> weights_;
-  std::vector<PointRow> rows_;   // point form
-  std::vector<double> stencil_;  // stencil form: [coefficient row][entry][coefficient column]
+  int revision_ = 0;            // counts the changes of weights
+  int finer_revision_ = 0;      // that the stencil was made from, 0: from weights
+  std::vector<PointRow> rows_;  // point form
+  SymmetricStencil stencil_;    // stencil form
 };
 
 }  // namespace batten

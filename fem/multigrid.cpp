@@ -14,6 +14,7 @@ int smoothing_degree(int spline_degree) { return spline_degree + 1; }
 constexpr std::size_t largest_grid_factor = 40'000;  // coefficients
 constexpr double largest_points_factor = 6e6;        // estimated entries of K
 constexpr double very_large_lambda = 1e3;
+constexpr double largest_predicted_stiffness = 1e8;
 
 }  // namespace
 
@@ -35,6 +36,9 @@ bool Multigrid::can_be_data_aware() const {
 
 void Multigrid::set(double lambda, std::span<const double> weights) {
   if (!(lambda > 0)) throw InvalidInput("Multigrid::set: expected lambda > 0, found " + std::to_string(lambda));
+  if (lambda == lambda_ && std::equal(weights.begin(), weights.end(), data().weights().begin(), data().weights().end()))
+    return;
+  lambda_ = lambda;
   std::vector<double> w(weights.begin(), weights.end());
   const auto soften = [&](const Smoother& level) {
     const auto give = level.compliance();
@@ -49,9 +53,13 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
   if (data_aware_) finest.set(lambda, w, Smoother::Kind::DataAware);
   for (std::size_t k = 1; k < levels_.size(); ++k) {
     if (data_aware_) soften(levels_[k - 1]);
-    levels_[k].set(lambda, w, Smoother::Kind::Plain);
+    if (!data_aware_ && levels_[k - 1].data().is_stored())
+      levels_[k].set_from_finer(levels_[k - 1]);
+    else
+      levels_[k].set(lambda, w, Smoother::Kind::Plain);
   }
   factor_coarsest();
+  can_predict_ = levels_.size() > 1 && !data_aware_ && finest.stiffness() < largest_predicted_stiffness;
   null_projection_.reset();
   if (lambda > very_large_lambda)
     null_projection_.emplace(finest.level().space, data(), hierarchy_->energy().null_degree());
@@ -66,8 +74,8 @@ void Multigrid::factor_coarsest() {
     for (int i = 0; i < nx; ++i)
       for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
         for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
-          const double value =
-              level.lambda() * level.level().energy.entry(i, j, i + dx, j + dy) + level.data().entry(i, j, dx, dy);
+          const double value = level.lambda() * level.level().energy.entry(i, j, i + dx, j + dy) +
+                               level.data().stencil().entry(i, j, dx, dy);
           largest = std::max(largest, value);
           entries.emplace_back((j + dy) * nx + i + dx, j * nx + i, value);
         }
@@ -82,26 +90,30 @@ void Multigrid::factor_coarsest() {
   }
 }
 
-void Multigrid::precondition(std::span<const double> r, std::span<double> out) const {
-  auto& work = work_.front();
-  std::copy(r.begin(), r.end(), work.r.begin());
-  if (null_projection_) null_projection_->project_transposed(work.r);
-  cycle(0);
-  std::copy(work.x.begin(), work.x.end(), out.begin());
-  if (null_projection_) null_projection_->project(out);
+void Multigrid::precondition(std::span<const double> r, std::vector<double>& out, std::size_t level) const {
+  const bool project = null_projection_ && level == 0;
+  if (project) {
+    out.assign(r.begin(), r.end());
+    null_projection_->project_transposed(out);
+    r = out;
+  }
+  cycle(level, r);
+  out.resize(size(level));
+  std::swap(out, work_[level].x);
+  if (project) null_projection_->project(out);
 }
 
-void Multigrid::cycle(std::size_t k) const {
+void Multigrid::cycle(std::size_t k, std::span<const double> r) const {
   auto& work = work_[k];
   if (k + 1 == levels_.size()) {
-    work.x = work.r;
+    work.x.assign(r.begin(), r.end());
     coarsest_->solve(work.x);
     return;
   }
   const auto& level = levels_[k].level();
-  levels_[k].smooth_first(degree_, work);
+  levels_[k].smooth_first(degree_, r, work);
   level.restriction->apply(work.r, work_[k + 1].r);
-  cycle(k + 1);
+  cycle(k + 1, work_[k + 1].r);
   level.refinement->apply(work_[k + 1].x, work.z);
   levels_[k].smooth_last(degree_, work);
 }

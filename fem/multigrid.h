@@ -26,21 +26,29 @@ public:
 
   const Hierarchy& hierarchy() const { return *hierarchy_; }
   const DataTerm& data() const { return levels_.front().data(); }
-  double lambda() const { return levels_.front().lambda(); }
-  std::size_t size() const { return levels_.front().size(); }
+  double lambda() const { return lambda_; }
+  /// Levels are numbered from the finest, 0.
+  std::size_t levels() const { return levels_.size(); }
+  std::size_t size(std::size_t level = 0) const { return levels_[level].size(); }
   /// True if the finest level smooths data-aware.
   bool is_data_aware() const { return data_aware_; }
+  /// True if the solution of coarser levels is a sound start: they see the same data, and the rounding of λ E leaves
+  /// the component in its null space alone, which the right-hand side does not hold.
+  bool can_predict() const { return can_predict_; }
 
-  /// out = A c on the finest level.
-  void apply(std::span<const double> c, std::span<double> out) const { levels_.front().apply(c, out); }
-  /// out = V-cycle applied to r. For a very large λ it acts in the complement of the null space of the energy.
-  void precondition(std::span<const double> r, std::span<double> out) const;
+  /// out = A c on a level.
+  void apply(std::span<const double> c, std::span<double> out, std::size_t level = 0) const {
+    levels_[level].apply(c, out);
+  }
+  /// out = V-cycle from this level down, applied to r; the direct solution on the coarsest. For a very large λ it acts
+  /// in the complement of the null space of the energy.
+  void precondition(std::span<const double> r, std::vector<double>& out, std::size_t level = 0) const;
 
   /// Set for a very large λ only: `solve` finds the component in the null space from it.
   const std::optional<NullProjection>& null_projection() const { return null_projection_; }
 
 private:
-  void cycle(std::size_t level) const;
+  void cycle(std::size_t level, std::span<const double> r) const;
   void factor_coarsest();
   bool can_be_data_aware() const;
 
@@ -49,8 +57,10 @@ private:
   std::optional<SparseCholesky> coarsest_;
   std::optional<NullProjection> null_projection_;
   mutable std::vector<Smoother::Work> work_;
-  int degree_;  // of the smoothing polynomials
+  int degree_;         // of the smoothing polynomials
+  double lambda_ = 0;  // none is set
   bool data_aware_ = false;
+  bool can_predict_ = false;
 };
 
 }  // namespace batten

@@ -97,17 +97,4 @@ void add_to_cell_sum(int functions, std::span<const PointRow> rows, std::span<co
     for (std::size_t i = 0; i < rows.size(); ++i) add_products<3>(rows[i], w[i], sum.data());
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#endif
-void add_stencil_rows(const StencilRows& rows, double factor, bool both, std::ptrdiff_t n) {
-  const double* s = rows.entry;
-  // lower and upper may be the same row, moved: two loops, so that each can be vectorised
-#pragma omp simd
-  for (std::ptrdiff_t i = 0; i < n; ++i) rows.lower[i] += factor * s[i] * rows.upper_in[i];
-  if (!both) return;
-#pragma omp simd
-  for (std::ptrdiff_t i = 0; i < n; ++i) rows.upper[i] += factor * s[i] * rows.lower_in[i];
-}
-
 }  // namespace batten

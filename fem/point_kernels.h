@@ -31,15 +31,4 @@ void add_point_products(const PointGrid& grid, std::span<const PointRow> rows, c
 using CellSum = std::array<double, 256>;
 void add_to_cell_sum(int functions, std::span<const PointRow> rows, std::span<const double> w, CellSum& sum);
 
-/// lower[i] += factor s[i] upper_in[i] and, if `both`, upper[i] += factor s[i] lower_in[i]: one entry of a symmetric
-/// stencil.
-struct StencilRows {
-  const double* entry;
-  const double* lower_in;
-  const double* upper_in;
-  double* lower;
-  double* upper;
-};
-void add_stencil_rows(const StencilRows& rows, double factor, bool both, std::ptrdiff_t n);
-
 }  // namespace batten

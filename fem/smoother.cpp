@@ -40,13 +40,27 @@ Smoother::Smoother(const Hierarchy::Level& level, const GridPoints& points, bool
 void Smoother::set(double lambda, std::span<const double> weights, Kind kind) {
   lambda_ = lambda;
   data_.set_weights(weights);
+  set_diagonal(kind);
+  if (kind == Kind::DataAware) data_.is_stored() ? factor_grid() : factor_points();
+}
+
+void Smoother::set_from_finer(const Smoother& finer) {
+  lambda_ = finer.lambda_;
+  data_.set_from_finer(finer.data_, *finer.level_->restriction);
+  set_diagonal(Kind::Plain);
+}
+
+/// D, plus the lumped data B^T w = (B^T W B) 1 where they are not to be inverted exactly.
+void Smoother::set_diagonal(Kind kind) {
   points_factor_.reset();
   grid_factor_.reset();
   inverse_diagonal_.assign(size(), 0.);
-  if (kind == Kind::Plain) data_.add_adjoint(weights, inverse_diagonal_);
+  if (kind == Kind::Plain && data_.is_stored())
+    data_.stencil().add_product(1, std::vector<double>(size(), 1.), inverse_diagonal_);
+  else if (kind == Kind::Plain)
+    data_.add_adjoint(data_.weights(), inverse_diagonal_);
   for (std::size_t i = 0; i < size(); ++i)
-    inverse_diagonal_[i] = 1 / (inverse_diagonal_[i] + lambda * level_->bound * energy_diagonal_[i]);
-  if (kind == Kind::DataAware) data_.is_stored() ? factor_grid() : factor_points();
+    inverse_diagonal_[i] = 1 / (inverse_diagonal_[i] + lambda_ * level_->bound * energy_diagonal_[i]);
 }
 
 std::vector<double> Smoother::compliance() const {
@@ -55,6 +69,10 @@ std::vector<double> Smoother::compliance() const {
   for (std::size_t i = 0; i < size(); ++i) sum[i] /= lambda_ * level_->bound * energy_diagonal_[i];
   data_.values(sum, result);
   return result;
+}
+
+double Smoother::stiffness() const {
+  return lambda_ * *std::max_element(energy_diagonal_.begin(), energy_diagonal_.end()) * static_cast<double>(size());
 }
 
 // K_ij = δ_ij / w_i + Σ_c b_i[c] b_j[c] / D_c over the coefficients that points i and j share.
@@ -103,7 +121,7 @@ void Smoother::factor_grid() {
           const int index = (j + dy) * nx + i + dx;
           const double diagonal = dx == 0 && dy == 0 ? 1 / inverse_diagonal_[static_cast<std::size_t>(index)] : 0;
           indices.push_back(index);
-          values.push_back(diagonal + data_.entry(i, j, dx, dy));
+          values.push_back(diagonal + data_.stencil().entry(i, j, dx, dy));
         }
       starts.push_back(static_cast<int>(indices.size()));
     }
@@ -159,13 +177,16 @@ void Smoother::subtract_product(Work& work) const {
   std::swap(work.z, work.next);
 }
 
-void Smoother::start(Step step, Work& work) const {
-  precondition(work.r, work.z);
+void Smoother::start(Step step, std::span<const double> r, Work& work) const {
+  const bool aware = points_factor_ || grid_factor_;
+  if (aware) precondition(r, work.z);
+  const double* inverse = inverse_diagonal_.data();
   const auto n = static_cast<std::ptrdiff_t>(size());
 #pragma omp parallel for simd schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    work.x[k] = work.z[k] *= step.gain;
+    work.r[k] = r[k];
+    work.x[k] = work.z[k] = step.gain * (aware ? work.z[k] : inverse[k] * r[k]);
   }
 }
 
@@ -196,9 +217,9 @@ void Smoother::advance(Step step, bool add_old, Work& work) const {
   }
 }
 
-void Smoother::smooth_first(int degree, Work& work) const {
+void Smoother::smooth_first(int degree, std::span<const double> r, Work& work) const {
   const auto steps = chebyshev_steps(degree);
-  start(steps.front(), work);
+  start(steps.front(), r, work);
   for (std::size_t i = 1; i < steps.size(); ++i) advance(steps[i], false, work);
   subtract_product(work);
 }

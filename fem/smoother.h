@@ -31,6 +31,8 @@ public:
 
   /// Sets λ and the weights of the points. Throws SolverError if K cannot be factored.
   void set(double lambda, std::span<const double> weights, Kind kind);
+  /// The same λ and weights as the finer level, plain; the stencil of the data comes from the finer one.
+  void set_from_finer(const Smoother& finer);
 
   const Hierarchy::Level& level() const { return *level_; }
   const DataTerm& data() const { return data_; }
@@ -40,6 +42,9 @@ public:
   /// How much the points give way when D alone resists: comp_i = Σ_j b_i · D^-1 b_j, in the order of the points.
   std::vector<double> compliance() const;
 
+  /// The largest diagonal entry of λ E times the number of coefficients: the energy against the data.
+  double stiffness() const;
+
   /// out = A c
   void apply(std::span<const double> c, std::span<double> out) const;
 
@@ -48,8 +53,8 @@ public:
     std::vector<double> x, r, z, next;
     explicit Work(std::size_t size) : x(size), r(size), z(size), next(size) {}
   };
-  /// x = p(A) r, then r -= A x: smoothing from zero. `degree` applications of A.
-  void smooth_first(int degree, Work& work) const;
+  /// x = p(A) r and work.r = r - A x: smoothing from zero. `degree` applications of A. r may be work.r.
+  void smooth_first(int degree, std::span<const double> r, Work& work) const;
   /// x += z, a correction that r does not yet know of, then smooths. `degree` applications of A; r is left unfinished.
   void smooth_last(int degree, Work& work) const;
 
@@ -59,10 +64,11 @@ private:
     double keep, gain;
   };
   std::vector<Step> chebyshev_steps(int degree) const;
-  void start(Step step, Work& work) const;
+  void start(Step step, std::span<const double> r, Work& work) const;
   void advance(Step step, bool add_old, Work& work) const;
   void subtract_product(Work& work) const;
   void precondition(std::span<const double> r, std::span<double> out) const;
+  void set_diagonal(Kind kind);
   void factor_points();
   void factor_grid();
 

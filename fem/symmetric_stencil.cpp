@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include <batten/bases/blocks.h>
+#include <batten/domains/errors.h>
+#include <batten/fem/symmetric_stencil.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+namespace batten {
+namespace {
+
+/// `width` entries of one row of the matrix and the inputs they meet: out[i] += factor Σ_q entry[q step + i] in[q + i].
+struct RowTerms {
+  const double* entry;
+  std::ptrdiff_t step;
+  const double* in;
+};
+
+template <int width>
+[[gnu::always_inline]] inline void add_terms_of(RowTerms terms, double factor, double* __restrict out,
+                                                std::ptrdiff_t begin, std::ptrdiff_t end) {
+#pragma omp simd
+  for (std::ptrdiff_t i = begin; i < end; ++i) {
+    double sum = 0;
+    for (int q = 0; q < width; ++q) sum += terms.entry[q * terms.step + i] * terms.in[q + i];
+    out[i] += factor * sum;
+  }
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void add_terms(int width, RowTerms terms, double factor, double* out, std::ptrdiff_t begin, std::ptrdiff_t end) {
+  switch (width) {
+    case 2:
+      return add_terms_of<2>(terms, factor, out, begin, end);
+    case 3:
+      return add_terms_of<3>(terms, factor, out, begin, end);
+    case 4:
+      return add_terms_of<4>(terms, factor, out, begin, end);
+    case 5:
+      return add_terms_of<5>(terms, factor, out, begin, end);
+    default:
+      return add_terms_of<7>(terms, factor, out, begin, end);
+  }
+}
+
+/// Columns begin .. end - 1 meet all of their terms; the few at both ends lack some.
+void add_bounded(int width, RowTerms terms, double factor, double* out, int first, int columns) {
+  const int begin = std::min(columns, std::max(0, -first)), end = std::max(begin, columns - (first + width - 1));
+  for (int i = 0; i < columns; ++i) {
+    if (i == begin) i = end;  // the middle is left to the kernel
+    for (int q = 0; q < width && i < columns; ++q)
+      if (i + first + q >= 0 && i + first + q < columns)
+        out[i] += factor * terms.entry[q * terms.step + i] * terms.in[q + i];
+  }
+  if (begin < end) add_terms(width, terms, factor, out, begin, end);
+}
+
+/// Entries of A (I ⊗ X^T) between row j of A and row j + dy: [dx + degree][coarse column].
+struct HalfProduct {
+  int degree, columns;
+  std::vector<double> values;
+  HalfProduct(int rows, int d, int n)
+      : degree(d), columns(n), values(static_cast<std::size_t>(rows) * (d + 1) * (2 * d + 1) * n) {}
+  double* at(int j, int dy, int dx) {
+    return values.data() +
+           ((static_cast<std::ptrdiff_t>(j) * (degree + 1) + dy) * (2 * degree + 1) + dx + degree) * columns;
+  }
+};
+
+/// (I ⊗ X) A (I ⊗ X^T) for one fine row j and its partner j + dy.
+void reduce_columns(const SymmetricStencil& a, const BandedRows& x, int j, int dy, HalfProduct& half) {
+  const int d = a.degree();
+  for (int i = 0; i < x.rows; ++i)
+    for (int dx = std::max(-d, -i); dx <= std::min(d, x.rows - 1 - i); ++dx) {
+      const auto left = x.row(i), right = x.row(i + dx);
+      const int p0 = x.first[static_cast<std::size_t>(i)], q0 = x.first[static_cast<std::size_t>(i + dx)];
+      double sum = 0;
+      for (int p = 0; p < x.width; ++p) {
+        double inner = 0;
+        const int from = std::max(0, p0 + p - d - q0), to = std::min(x.width - 1, p0 + p + d - q0);
+        for (int q = from; q <= to; ++q)
+          inner += right[static_cast<std::size_t>(q)] * a.entry(p0 + p, j, q0 + q - p0 - p, dy);
+        sum += left[static_cast<std::size_t>(p)] * inner;
+      }
+      half.at(j, dy, dx)[i] = sum;
+    }
+}
+
+/// Adds weight (row p, row q of the half product) to row j, entries dy of the result.
+void add_rows(HalfProduct& half, int p, int q, double weight, SymmetricStencil& result, int j, int dy) {
+  const int d = half.degree, n = half.columns;
+  for (int dx = dy == 0 ? 0 : -d; dx <= d; ++dx) {
+    double* out = result.entries(j, dx, dy).data();
+    const int from = std::max(0, -dx), to = n - std::max(0, dx);
+    const double* in = q >= p ? half.at(p, q - p, dx) : half.at(q, p - q, -dx) + dx;  // transposed below the diagonal
+    for (int i = from; i < to; ++i) out[i] += weight * in[i];
+  }
+}
+
+}  // namespace
+
+SymmetricStencil::SymmetricStencil(int rows, int columns, int degree)
+    : rows_(rows), columns_(columns), degree_(degree) {
+  if (degree < 2 || degree > 3)
+    throw InvalidInput("SymmetricStencil: expected degree 2 or 3, found " + std::to_string(degree));
+  values_.assign(static_cast<std::size_t>(rows) * planes() * static_cast<std::size_t>(columns), 0.);
+}
+
+void SymmetricStencil::add_row(int j, double factor, std::span<const double> c, double* out) const {
+  const int d = degree_, width = 2 * d + 1;
+  const std::ptrdiff_t n = columns_;
+  for (int dy = std::max(-d, -j); dy <= std::min(d, rows_ - 1 - j); ++dy) {
+    const double* in = c.data() + (j + dy) * n;
+    if (dy > 0) {
+      add_bounded(width, {values_.data() + at(j, -d, dy), n, in - d}, factor, out, -d, columns_);
+    } else if (dy < 0) {  // entry (dx, dy) of (i, j) is entry (-dx, -dy) of (i + dx, j + dy)
+      add_bounded(width, {values_.data() + at(j + dy, d, -dy) - d, 1 - n, in - d}, factor, out, -d, columns_);
+    } else {
+      add_bounded(d + 1, {values_.data() + at(j, 0, 0), n, in}, factor, out, 0, columns_);
+      add_bounded(d, {values_.data() + at(j, d, 0) - d, 1 - n, in - d}, factor, out, -d, columns_);
+    }
+  }
+}
+
+void SymmetricStencil::add_product(double factor, std::span<const double> c, std::span<double> out) const {
+  for_blocks(RowBlocks(rows_, columns_ * 16), [&](int begin, int end) {
+    for (int j = begin; j < end; ++j) add_row(j, factor, c, out.data() + static_cast<std::ptrdiff_t>(j) * columns_);
+  });
+}
+
+SymmetricStencil SymmetricStencil::galerkin(const TensorSum& restriction) const {
+  const auto& term = restriction.terms().front();
+  const auto& [factor, y, x] = term;
+  HalfProduct half(rows_, degree_, x.rows);
+  for_blocks(RowBlocks(rows_, columns_ * 16), [&](int begin, int end) {
+    for (int j = begin; j < end; ++j)
+      for (int dy = 0; dy <= std::min(degree_, rows_ - 1 - j); ++dy) reduce_columns(*this, x, j, dy, half);
+  });
+  SymmetricStencil result(y.rows, x.rows, degree_);
+  const double scale = factor * factor;
+  for_blocks(RowBlocks(y.rows, x.rows * 64), [&](int begin, int end) {
+    for (int j = begin; j < end; ++j)
+      for (int dy = 0; dy <= std::min(degree_, y.rows - 1 - j); ++dy)
+        for (int p = 0; p < y.width; ++p)
+          for (int q = 0; q < y.width; ++q) {
+            const int row = y.first[static_cast<std::size_t>(j)] + p,
+                      partner = y.first[static_cast<std::size_t>(j + dy)] + q;
+            const double weight =
+                scale * y.row(j)[static_cast<std::size_t>(p)] * y.row(j + dy)[static_cast<std::size_t>(q)];
+            if (weight != 0 && std::abs(row - partner) <= degree_) add_rows(half, row, partner, weight, result, j, dy);
+          }
+  });
+  return result;
+}
+
+}  // namespace batten
