@@ -47,11 +47,11 @@ std::vector<std::string> ColourBar::draw(PlotOverlay& overlay, const Pixel& low,
   if (high_ > low_) shown.push_back(last_);
 
   overlay.add_colour_bar(low, {right, top});
-  overlay.add_line(std::array<Pixel, 5>{{low, {right, low[1]}, {right, top}, {low[0], top}, low}}, 1);
+  overlay.add_line(std::array<Pixel, 5>{{low, {right, low[1]}, {right, top}, {low[0], top}, low}}, {});
   std::vector<std::string> labels;
   for (const Tick& tick : shown) {
     const double y = height(tick.value);
-    overlay.add_line(std::array<Pixel, 2>{{{right, y}, {right + tick_length * font, y}}}, 1);
+    overlay.add_line(std::array<Pixel, 2>{{{right, y}, {right + tick_length * font, y}}}, {});
     overlay.add_text(tick.label, {right + (tick_length + label_gap) * font, y}, {.horizontal = TextStyle::Anchor::Low});
     labels.push_back(tick.label);
   }

@@ -5,12 +5,8 @@
 #include <batten/io/output_file.h>
 #include <batten/io/picture.h>
 #include <batten/io/picture_views.h>
+#include <batten/io/png.h>
 #include <batten/io/sample_checks.h>
-
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,22 +108,7 @@ void write_picture(const std::filesystem::path& path, const GridSamples& grid, c
                    const PictureOptions& options) {
   OutputFile file(path);
   const Picture picture = draw_picture(grid, points, options);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(picture.width, picture.height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const auto row = static_cast<std::ptrdiff_t>(3 * picture.width);
-  for (int j = 0; j < picture.height; ++j) {  // VTK's rows go upwards
-    const auto from = picture.rgb.begin() + (picture.height - 1 - j) * row;
-    std::copy(from, from + row, static_cast<std::uint8_t*>(image->GetScalarPointer(0, j, 0)));
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* const bytes = writer->GetResult();
-  if (!bytes) throw IoError(path.string() + ": the picture cannot be encoded");
-  file.write(
-      {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())});
+  file.write(encode_png(picture.width, picture.height, picture.rgb));
   file.commit();
 }
 

@@ -21,15 +21,17 @@
 namespace batten {
 namespace {
 
-constexpr double ink = 0.1;  // grey level of texts and lines
+constexpr double ink = 0.1;  // grey level of texts
 
-void add_actor(vtkRenderer* renderer, vtkPolyData* shape, double line_width) {
+void add_actor(vtkRenderer* renderer, vtkPolyData* shape, const PenStyle& style) {
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(shape);
   vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(ink, ink, ink);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(line_width));
+  auto colour = style.colour;
+  actor->GetProperty()->SetColor(colour.data());
+  actor->GetProperty()->SetLineWidth(static_cast<float>(style.width));
+  actor->GetProperty()->SetPointSize(static_cast<float>(style.width));
   renderer->AddActor2D(actor);
 }
 
@@ -84,7 +86,7 @@ void PlotOverlay::add_text(const std::string& text, const Pixel& place, const Te
   renderer_->AddActor2D(actor);
 }
 
-void PlotOverlay::add_line(std::span<const Pixel> places, double width) {
+void PlotOverlay::add_line(std::span<const Pixel> places, const PenStyle& style) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell(static_cast<int>(places.size()));
@@ -92,7 +94,20 @@ void PlotOverlay::add_line(std::span<const Pixel> places, double width) {
   vtkNew<vtkPolyData> shape;
   shape->SetPoints(points);
   shape->SetLines(lines);
-  add_actor(renderer_, shape, width);
+  add_actor(renderer_, shape, style);
+}
+
+void PlotOverlay::add_dots(std::span<const Pixel> places, const PenStyle& style) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> dots;
+  for (const Pixel& place : places) {
+    const vtkIdType at = points->InsertNextPoint(place[0], place[1], 0);
+    dots->InsertNextCell(1, &at);
+  }
+  vtkNew<vtkPolyData> shape;
+  shape->SetPoints(points);
+  shape->SetVerts(dots);
+  add_actor(renderer_, shape, style);
 }
 
 void PlotOverlay::add_colour_bar(const Pixel& low, const Pixel& high) {
@@ -115,7 +130,7 @@ void PlotOverlay::add_colour_bar(const Pixel& low, const Pixel& high) {
   shape->SetPoints(points);
   shape->SetPolys(quads);
   shape->GetCellData()->SetScalars(colours);
-  add_actor(renderer_, shape, 1);
+  add_actor(renderer_, shape, {});
 }
 
 }  // namespace batten

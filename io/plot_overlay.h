@@ -21,6 +21,11 @@ struct TextStyle {
   bool bold = false;
 };
 
+struct PenStyle {
+  double width = 1;                                ///< pixels
+  std::array<double, 3> colour = {0.1, 0.1, 0.1};  ///< red, green, blue in [0, 1]
+};
+
 /// Draws text, lines and areas over the scene of a renderer.
 class PlotOverlay {
 public:
@@ -36,8 +41,10 @@ public:
 
   void add_text(const std::string& text, const Pixel& place, const TextStyle& style);
 
-  /// A black line through the places.
-  void add_line(std::span<const Pixel> places, double width);
+  /// A line through the places.
+  void add_line(std::span<const Pixel> places, const PenStyle& style);
+  /// A dot of the style's width at each place.
+  void add_dots(std::span<const Pixel> places, const PenStyle& style);
 
   /// The colour map, lowest colour at the bottom, in the rectangle from `low` to `high`.
   void add_colour_bar(const Pixel& low, const Pixel& high);

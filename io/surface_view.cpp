@@ -181,7 +181,7 @@ AxisMarks marks_of(const Axis& axis, const PlotOverlay& overlay, const Perspecti
 
 void draw(PlotOverlay& overlay, const AxisMarks& marks) {
   constexpr double line_width = 1.2;
-  for (const auto& line : marks.lines) overlay.add_line(line, line_width);
+  for (const auto& line : marks.lines) overlay.add_line(line, {.width = line_width});
   for (const Label& label : marks.labels) overlay.add_text(label.text, label.place, label.style);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What stands in for image_file, point_file and picture where Batten is built without VTK.
+// What stands in for image_file, point_file, curve_file, picture and chart where Batten is built without VTK.
 #include <batten/domains/errors.h>
+#include <batten/io/chart.h>
+#include <batten/io/curve_file.h>
 #include <batten/io/image_file.h>
 #include <batten/io/picture.h>
 #include <batten/io/point_file.h>
@@ -22,6 +24,16 @@ Record read_record(const std::filesystem::path& path) { refuse(path.string(), " 
 
 void write_points(const std::filesystem::path& path, const ScatteredSamples&) {
   refuse(path.string(), " and cannot write .vtp files; write .csv");
+}
+
+void write_curves(const std::filesystem::path& path, std::span<const CurveSamples>) {
+  refuse(path.string(), " and cannot write .vtp files; write .csv");
+}
+
+Chart draw_chart(std::span<const ChartLine>, const ChartOptions&) { refuse("draw_chart", " and cannot draw pictures"); }
+
+void write_chart(const std::filesystem::path& path, std::span<const ChartLine>, const ChartOptions&) {
+  refuse(path.string(), " and cannot draw pictures");
 }
 
 Picture draw_picture(const GridSamples&, const ScatteredSamples&, const PictureOptions&) {
