@@ -57,7 +57,8 @@ T evaluate(const LaurentPolynomial<T, D>& s, const Coordinates<T, D>& point) {
 }
 
 template <int D>
-std::complex<double> evaluate(const LaurentPolynomial<double, D>& s, const Coordinates<std::complex<double>, D>& point) {
+std::complex<double> evaluate(const LaurentPolynomial<double, D>& s,
+                              const Coordinates<std::complex<double>, D>& point) {
   return horner<std::complex<double>>(s, point);
 }
 

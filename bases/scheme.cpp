@@ -71,6 +71,28 @@ void require_cosets_sum_to_one(const std::string& name, const LaurentPolynomial<
   }
 }
 
+/// The power of x, possibly a half one, that centres a mask.
+template <int D>
+LaurentPolynomial<double, D> centring_power(const LaurentPolynomial<double, D>& mask) {
+  const auto middle = centred(mask);
+  Index<D> exponent{}, half{};
+  for (std::size_t d = 0; d < D; ++d) {
+    const int twice = 2 * (middle.first()[d] - mask.first()[d]) + middle.half()[d] - mask.half()[d];
+    half[d] = twice & 1;
+    exponent[d] = (twice - half[d]) / 2;
+  }
+  return LaurentPolynomial<double, D>::monomial(exponent, 1, half);
+}
+
+/// The product of two B-splines is a box spline.
+SplineStructure<2> product_structure(const Scheme& a, const Scheme& b) {
+  SplineStructure<2> structure;
+  if (a.structure().directions.empty() || b.structure().directions.empty()) return structure;
+  for (const auto& d : a.structure().directions) structure.directions.push_back({d[0], 0});
+  for (const auto& d : b.structure().directions) structure.directions.push_back({0, d[0]});
+  return structure;
+}
+
 }  // namespace
 
 template <int D>
@@ -151,8 +173,30 @@ void require_affine_invariance(const SubdivisionScheme<D>& scheme) {
                               scheme.mask(level), scheme.arity());
 }
 
+template <int D>
+SubdivisionScheme<D> centred(const SubdivisionScheme<D>& scheme) {
+  const auto shift = centring_power(scheme.mask());
+  const std::string name = scheme.name() + " centred";
+  if (scheme.is_exact()) return {name, centred(scheme.exact_mask()), scheme.arity(), scheme.structure()};
+  if (scheme.is_stationary()) return {name, centred(scheme.mask()), scheme.arity(), scheme.structure()};
+  return {name, [scheme, shift](int level) { return shift * scheme.mask(level); }, scheme.arity(), scheme.structure()};
+}
+
+Scheme2 tensor_product(const Scheme& a, const Scheme& b) {
+  if (a.arity() != b.arity())
+    throw InvalidInput("tensor_product: both schemes must have the same arity, found " + std::to_string(a.arity()) +
+                       " and " + std::to_string(b.arity()));
+  const std::string name = a.name() + " x " + b.name();
+  if (a.is_exact() && b.is_exact())
+    return {name, tensor_product(a.exact_mask(), b.exact_mask()), a.arity(), product_structure(a, b)};
+  if (a.is_stationary() && b.is_stationary()) return {name, tensor_product(a.mask(), b.mask()), a.arity()};
+  return {name, [a, b](int level) { return tensor_product(a.mask(level), b.mask(level)); }, a.arity()};
+}
+
 template class SubdivisionScheme<1>;
 template class SubdivisionScheme<2>;
+template Scheme centred(const Scheme&);
+template Scheme2 centred(const Scheme2&);
 template void require_affine_invariance(const Scheme&);
 template void require_affine_invariance(const Scheme2&);
 

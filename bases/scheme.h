@@ -96,4 +96,12 @@ SubdivisionScheme<D> custom_scheme(const LaurentPolynomial<Rational, D>& mask, i
   return {"custom", mask, arity};
 }
 
+/// The scheme moved so that the support of its scaling function is symmetric about 0, by half shifts where its length
+/// is odd: polygons do not drift [Warren & Weimer 2001, sec. 2.1.3].
+template <int D>
+SubdivisionScheme<D> centred(const SubdivisionScheme<D>& scheme);
+
+/// The scheme of s_a[x] s_b[y], whose scaling function is n_a(x) n_b(y). Throws InvalidInput when the arities differ.
+Scheme2 tensor_product(const Scheme& a, const Scheme& b);
+
 }  // namespace batten

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/box_spline.h>
+#include <batten/bases/bspline_scheme.h>
+#include <batten/bases/exponential_scheme.h>
 #include <batten/bases/mask_text.h>
 #include <batten/bases/scheme.h>
+#include <batten/bases/tension_scheme.h>
 #include <batten/domains/errors.h>
 
 #include <gmock/gmock.h>
@@ -55,6 +59,31 @@ TEST(Scheme, that_is_not_stationary_or_not_rational_has_no_exact_mask) {
   EXPECT_THAT([&] { return moving.exact_mask(); }, ThrowsMessage<InvalidInput>(HasSubstr("not stationary")));
   EXPECT_EQ(moving.mask(4)[0], 0.25);
   EXPECT_THAT([&] { return moving.mask(0); }, ThrowsMessage<InvalidInput>(HasSubstr("start at 1, found 0")));
+}
+
+TEST(Scheme, of_a_tensor_product_has_the_product_mask_and_structure) {
+  const auto a = bspline_scheme(3), b = bspline_scheme(4);
+  const auto product = tensor_product(a, b);
+  EXPECT_EQ(product.exact_mask(), tensor_product(a.exact_mask(), b.exact_mask()));
+  EXPECT_EQ(product.exact_mask(), box_mask(product.structure().directions));
+  // {9, 3, 3, 1} / 16 and its rotations [Warren & Weimer 2001, sec. 7.2]
+  EXPECT_EQ(Q(16) * coset(tensor_product(a, a).exact_mask(), {0, 0}), parse_mask2("1,3;3,9"));
+  // bicubic: face 1/4, edge {1, 1; 6, 6; 1, 1} / 16, vertex {1, 6, 1; 6, 36, 6; 1, 6, 1} / 64
+  const auto bicubic = tensor_product(b, b).exact_mask();
+  EXPECT_EQ(Q(64) * coset(bicubic, {0, 0}), parse_mask2("1,6,1;6,36,6;1,6,1"));
+  EXPECT_EQ(Q(16) * coset(bicubic, {1, 0}), parse_mask2("1,1;6,6;1,1"));
+  EXPECT_EQ(Q(4) * coset(bicubic, {1, 1}), parse_mask2("1,1;1,1"));
+  const auto moving = tensor_product(tension_scheme(0.5), centred(b));
+  EXPECT_EQ(moving.mask(3), tensor_product(tension_scheme(0.5).mask(3), centred(b).mask(3)));
+  EXPECT_THROW(tensor_product(a, bspline_scheme(3, 3)), InvalidInput);
+}
+
+TEST(Scheme, that_moves_from_level_to_level_is_centred_on_all_of_them) {
+  const auto scheme = centred(exponential_scheme({0., 1., -1.}));
+  for (int level : {1, 4}) {
+    EXPECT_EQ(scheme.mask(level).first(), Index<1>{-2});
+    EXPECT_EQ(scheme.mask(level).half(), Index<1>{1});
+  }
 }
 
 }  // namespace
