@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include <batten/app/scheme_catalogue.h>
+#include <batten/app/usage_error.h>
+#include <batten/bases/box_spline.h>
+#include <batten/bases/bspline_scheme.h>
+#include <batten/bases/exponential_scheme.h>
+#include <batten/bases/interpolatory_schemes.h>
+#include <batten/bases/mask_text.h>
+#include <batten/bases/tension_scheme.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace batten {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator)
+      parts.emplace_back();
+    else if (c != ' ')
+      parts.back() += c;
+  }
+  return parts;
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& expected, const std::string& text) {
+  throw UsageError(option + ": expected " + expected + ", found '" + text + "'");
+}
+
+/// One term of a complex number, "2", "-i" or "+3.5i"; moves `at` behind it.
+std::complex<double> complex_term(const std::string& text, std::size_t& at) {
+  const double sign = text[at] == '-' ? -1 : 1;
+  if (text[at] == '+' || text[at] == '-') ++at;
+  double size = 1;
+  const auto found = std::from_chars(text.data() + at, text.data() + text.size(), size);
+  const bool has_number = found.ec == std::errc();
+  if (has_number) at = static_cast<std::size_t>(found.ptr - text.data());
+  if (at < text.size() && text[at] == 'i') return ++at, std::complex<double>(0, sign * size);
+  if (!has_number) at = std::string::npos;
+  return sign * size;
+}
+
+Directions directions_of(const SchemeArguments& a) {
+  Directions directions;
+  for (const auto& row : parse_integers("--directions", *a.directions)) {
+    if (row.size() != 2) refuse("--directions", "pairs as in \"1,0;0,1;1,1\"", *a.directions);
+    directions.push_back({row[0], row[1]});
+  }
+  return directions;
+}
+
+/// The weight that was asked for, or nothing for the scheme's own.
+template <class Make>
+auto with_weight(const SchemeArguments& a, const Make& make, const Rational& usual) {
+  return make(a.weight ? parse_rational(*a.weight) : usual);
+}
+
+AnyScheme custom_of(const SchemeArguments& a) {
+  const int arity = a.arity.value_or(2);
+  const auto offset = parse_integers("--offset", a.offset.value_or("0"));
+  if (a.mask->find(';') == std::string::npos) {
+    if (offset.size() != 1 || offset[0].size() != 1) refuse("--offset", "one integer", *a.offset);
+    return custom_scheme<1>(parse_mask(*a.mask, offset[0][0]), arity);
+  }
+  if (offset.size() != 1 || offset[0].size() > 2) refuse("--offset", "two integers as in \"-1,-1\"", *a.offset);
+  const Index<2> first = {offset[0][0], offset[0].back()};
+  return custom_scheme<2>(parse_mask2(*a.mask, first), arity);
+}
+
+struct Entry {
+  const char* name;
+  std::vector<std::string> needs, may;  ///< options
+  AnyScheme (*make)(const SchemeArguments&);
+};
+
+const std::vector<Entry>& catalogue() {
+  using A = const SchemeArguments&;
+  static const std::vector<Entry> entries = {
+      {"bspline", {"--order"}, {"--arity"}, [](A a) -> AnyScheme { return bspline_scheme(*a.order, a.arity.value_or(2)); }},
+      {"box", {"--directions"}, {}, [](A a) -> AnyScheme { return box_scheme(directions_of(a)); }},
+      {"exponential", {"--roots"}, {}, [](A a) -> AnyScheme { return exponential_scheme(parse_complex("--roots", *a.roots)); }},
+      {"tension", {"--sigma"}, {}, [](A a) -> AnyScheme { return tension_scheme(*a.sigma); }},
+      {"four-point", {}, {"--w"}, [](A a) -> AnyScheme { return with_weight(a, four_point_scheme, Rational(1, 16)); }},
+      {"deslauriers-dubuc", {"--points"}, {}, [](A a) -> AnyScheme { return deslauriers_dubuc_scheme(*a.points); }},
+      {"six-point", {}, {"--w"}, [](A a) -> AnyScheme { return with_weight(a, six_point_scheme, Rational(3, 256)); }},
+      {"ternary-four-point", {}, {"--w"}, [](A a) -> AnyScheme { return with_weight(a, ternary_four_point_scheme, Rational(1, 10)); }},
+      {"butterfly", {}, {"--w"}, [](A a) -> AnyScheme { return with_weight(a, butterfly_scheme, Rational(1, 16)); }},
+      {"quad-interpolatory", {}, {}, [](A) -> AnyScheme { return quad_interpolatory_scheme(); }},
+      {"custom", {"--mask"}, {"--offset", "--arity"}, custom_of},
+  };
+  return entries;
+}
+
+/// The options of SchemeArguments that make a scheme, and which of them were given.
+std::vector<std::string> given_options(const SchemeArguments& a) {
+  const std::array<std::pair<const char*, bool>, 9> all = {{{"--order", a.order.has_value()},
+                                                            {"--points", a.points.has_value()},
+                                                            {"--arity", a.arity.has_value()},
+                                                            {"--directions", a.directions.has_value()},
+                                                            {"--roots", a.roots.has_value()},
+                                                            {"--w", a.weight.has_value()},
+                                                            {"--mask", a.mask.has_value()},
+                                                            {"--offset", a.offset.has_value()},
+                                                            {"--sigma", a.sigma.has_value()}}};
+  std::vector<std::string> given;
+  for (const auto& [name, is_given] : all)
+    if (is_given) given.emplace_back(name);
+  return given;
+}
+
+bool holds(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+}  // namespace
+
+std::string scheme_names() {
+  std::string names;
+  for (const Entry& entry : catalogue()) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  return names;
+}
+
+AnyScheme scheme_of(const SchemeArguments& arguments) {
+  const auto& entries = catalogue();
+  const auto entry =
+      std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.name == arguments.name; });
+  if (entry == entries.end())
+    throw UsageError("there is no scheme '" + arguments.name + "'; the schemes are " + scheme_names());
+  const auto given = given_options(arguments);
+  for (const std::string& option : entry->needs)
+    if (!holds(given, option)) throw UsageError(arguments.name + " needs " + option);
+  for (const std::string& option : given)
+    if (!holds(entry->needs, option) && !holds(entry->may, option))
+      throw UsageError(arguments.name + " has no option " + option);
+  return entry->make(arguments);
+}
+
+std::vector<std::vector<int>> parse_integers(const std::string& option, const std::string& text) {
+  std::vector<std::vector<int>> rows;
+  for (const std::string& row : split(text, ';')) {
+    rows.emplace_back();
+    for (const std::string& word : split(row, ',')) {
+      int value = 0;
+      const auto found = std::from_chars(word.data(), word.data() + word.size(), value);
+      if (found.ec != std::errc() || found.ptr != word.data() + word.size())
+        refuse(option, "integers separated by , and ;", text);
+      rows.back().push_back(value);
+    }
+  }
+  return rows;
+}
+
+std::vector<std::complex<double>> parse_complex(const std::string& option, const std::string& text) {
+  std::vector<std::complex<double>> values;
+  for (const std::string& word : split(text, ',')) {
+    std::complex<double> value = 0;
+    std::size_t at = 0;
+    for (int terms = 0; at < word.size() && terms < 2; ++terms) value += complex_term(word, at);
+    if (word.empty() || at != word.size()) refuse(option, "numbers such as 0, -1.5 or 1+2i separated by commas", text);
+    values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace batten

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/app/scheme_arguments.h>
+#include <batten/bases/scheme.h>
+
+#include <complex>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace batten {
+
+/// A scheme on the line or in the plane.
+using AnyScheme = std::variant<Scheme, Scheme2>;
+
+/// The names that `batten scheme` knows, separated by commas.
+std::string scheme_names();
+
+/// The scheme of that name and those options. Throws UsageError for a name that is not known (with the names), an option
+/// that the scheme does not have or needs, or one that cannot be read; InvalidInput for values that it refuses.
+AnyScheme scheme_of(const SchemeArguments& arguments);
+
+/// Integers separated by commas, rows by semicolons: "1,0;0,1" -> {{1, 0}, {0, 1}}. Throws UsageError that names the
+/// option and the text.
+std::vector<std::vector<int>> parse_integers(const std::string& option, const std::string& text);
+/// Complex numbers separated by commas: "0,1,-2i,0.5+3i". Throws as above.
+std::vector<std::complex<double>> parse_complex(const std::string& option, const std::string& text);
+
+}  // namespace batten
