@@ -90,6 +90,10 @@ TEST(InnerProducts, of_tensor_products_are_tensor_products) {
   const Scheme2 both("both", tensor_product(n.exact_mask(), m.exact_mask()));
   EXPECT_EQ(inner_products<2>({both, {1, 0}}, {both, {1, 1}}),
             tensor_product(products(n, 1, n, 1), products(m, 0, m, 1)));
+  const auto t = b_spline_by_hand(3, 3);
+  const Scheme2 ternary("ternary", tensor_product(t.exact_mask(), t.exact_mask()), 3);
+  EXPECT_EQ(inner_products<2>({ternary, {2, 0}}, {ternary, {2, 1}}),
+            tensor_product(products(n, 2, n, 2), products(n, 0, n, 1)));
 }
 
 TEST(InnerProducts, of_three_direction_hats_are_the_seven_point_matrices) {

@@ -97,6 +97,33 @@ TEST(ScalingValues, of_derivatives_that_do_not_exist_are_refused) {
               ThrowsMessage<InvalidInput>(HasSubstr("must not be negative, found -1")));
 }
 
+TEST(ScalingValues, of_the_ternary_four_point_scheme_have_two_derivatives) {
+  // w = 1/11, C^2; it reproduces quadratics: Σ_i i^2 n''(-i) = 2 and Σ_i i n'(-i) = 1
+  const Q w(1, 11), a = Q(-1, 18) - w / 6, b = Q(13, 18) + w / 2, c = Q(7, 18) - w / 2, d = Q(-1, 18) + w / 6;
+  const Scheme ternary("ternary-four-point", Mask<Q>(-5, {d, a, 0, c, b, 1, b, c, 0, a, d}), 3);
+  EXPECT_EQ(values_at_integers(ternary), M::constant(1));
+  const auto slope = values_at_integers(ternary, {1}), bend = values_at_integers(ternary, {2});
+  Q first = 0, second = 0;
+  for (int i = -2; i <= 2; ++i) {
+    first -= i * slope[i];
+    second += i * i * bend[i];
+  }
+  EXPECT_EQ(first, 1);
+  EXPECT_EQ(second, 2);
+  EXPECT_THAT([&] { return values_at_integers(ternary, {3}); },
+              ThrowsMessage<InvalidInput>(HasSubstr("ternary-four-point is at most C^2: no third derivative")));
+}
+
+TEST(ScalingValues, of_the_four_point_scheme_with_other_tension_have_one_derivative) {
+  for (const Q& w : {Q(1, 32), Q(1, 20), Q(1, 10)}) {
+    const Scheme tension("four-point", Mask<Q>(-3, {-w, 0, Q(1, 2) + w, 1, Q(1, 2) + w, 0, -w}));
+    EXPECT_EQ(values_at_integers(tension), M::constant(1));
+    EXPECT_EQ(values_at_integers(tension, {1})[0], 0);
+    EXPECT_THAT([&] { return values_at_integers(tension, {2}); },
+                ThrowsMessage<InvalidInput>(HasSubstr("four-point is at most C^1: no second derivative")));
+  }
+}
+
 TEST(ScalingValues, of_a_mask_that_is_not_affine_invariant_are_refused) {
   EXPECT_THAT([] { return values_at_integers(custom_scheme<1>(parse_mask("1/2,3/4,3/4"))); },
               ThrowsMessage<InvalidInput>(HasSubstr("coset 0 of custom sums to 5/4")));
