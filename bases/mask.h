@@ -36,7 +36,8 @@ public:
   LaurentPolynomial(const Index<D>& first, const Index<D>& size, std::vector<T> coefficients,
                     const Index<D>& half = {});
   /// Σ_k coefficients[k] x^(first + k + half/2).
-  LaurentPolynomial(int first, std::vector<T> coefficients, int half = 0) requires(D == 1)
+  template <int N = D>
+  requires(N == 1) LaurentPolynomial(int first, std::vector<T> coefficients, int half = 0)
       // braces: the size is taken before the coefficients move
       : LaurentPolynomial{Index<1>{first}, Index<1>{static_cast<int>(coefficients.size())}, std::move(coefficients),
                           Index<1>{half}} {}
@@ -59,7 +60,8 @@ public:
   std::span<const T> coefficients() const { return coefficients_; }
   /// c[i], zero outside the box.
   T operator[](const Index<D>& i) const;
-  T operator[](int i) const requires(D == 1) { return (*this)[Index<1>{i}]; }
+  template <int N = D>
+  requires(N == 1) T operator[](int i) const { return (*this)[Index<1>{i}]; }
 
   /// Sums throw InvalidInput when the powers of one side are shifted by a half against those of the other. Zero has no
   /// shift.

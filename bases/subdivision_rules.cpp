@@ -14,6 +14,10 @@ std::ptrdiff_t floor_quotient(std::ptrdiff_t a, std::ptrdiff_t b) { return a >= 
 
 int residue(int e, int arity) { return static_cast<int>(e - arity * floor_quotient(e, arity)); }
 
+// g++ 12 otherwise loads an old point once for each new point that it goes into, and most of these loads straddle two
+// lines of the cache: adding a zero that it does not know, without effect on the value, keeps the point in a register.
+volatile const double unknown_minus_zero = -0.;
+
 constexpr int longest_pass = 6;  // old points read at once: their weights stay in registers
 
 template <int arity, int width, bool adds>
@@ -22,6 +26,7 @@ template <int arity, int width, bool adds>
   double w[arity][width];
   for (int r = 0; r < arity; ++r)
     for (int q = 0; q < width; ++q) w[r][q] = weights[q + stride * r];
+  const double minus_zero = unknown_minus_zero;
   const double* __restrict old = in;
   double* __restrict fine = out;
 #pragma omp simd
@@ -29,7 +34,7 @@ template <int arity, int width, bool adds>
     double sum0 = adds ? fine[arity * g] : 0, sum1 = adds ? fine[arity * g + 1] : 0;
     double sum2 = adds && arity > 2 ? fine[arity * g + arity - 1] : 0;
     for (int q = 0; q < width; ++q) {
-      const double value = old[g + q];
+      const double value = old[g + q] + minus_zero;
       sum0 += w[0][q] * value;
       sum1 += w[1][q] * value;
       if constexpr (arity > 2) sum2 += w[2][q] * value;

@@ -33,6 +33,14 @@ TEST(BoxSpline, has_the_printed_difference_masks) {
   EXPECT_EQ(box_difference_mask(quartic), parse_mask2("1,-2,1,0,0;-2,2,2,-2,0;1,2,-6,2,1;0,-2,2,2,-2;0,0,1,-2,1"));
 }
 
+TEST(BoxSpline, obeys_the_two_scale_law_of_differences) {
+  // d_k s = 4 d_{k-1}[x^2, y^2], d_k = ∏ 2^k (1 - x^a y^b) [Warren & Weimer 2001, sec. 4.2], here k = 1
+  for (const auto& directions : {linear, zwart_powell, quartic}) {
+    const auto d = box_difference_mask(directions);
+    EXPECT_EQ(Q(1 << directions.size()) * d * box_mask(directions), Q(4) * upsampled(d, 2));
+  }
+}
+
 TEST(BoxSpline, rules_of_the_quartic_are_those_of_regular_loop_subdivision) {
   const auto s = box_mask(quartic);
   EXPECT_EQ(Q(16) * coset(s, {0, 0}), parse_mask2("1,1,0;1,10,1;0,1,1"));

@@ -144,6 +144,14 @@ TEST(BSplineValue, is_a_combination_of_truncated_powers) {
   EXPECT_EQ(truncated_power(2, x) - 2 * truncated_power(2, x - 1) + truncated_power(2, x - 2), bspline_value(2, x));
 }
 
+TEST(BSplineScheme, obeys_the_two_scale_law_of_differences) {
+  // d_k[x] s[x] = 2 d_{k-1}[x^2], d_k = (2^k (1 - x))^m [Warren & Weimer 2001, sec. 4.2], here k = 1
+  for (int m = 1; m <= 8; ++m) {
+    const auto d = bspline_difference_mask(m);
+    EXPECT_EQ(Rational(1 << m) * d * bspline_mask(m), Rational(2) * upsampled(d, 2));
+  }
+}
+
 TEST(BSplineScheme, refuses_orders_and_derivatives_that_do_not_exist) {
   EXPECT_THAT([] { return bspline_scheme(0); }, ThrowsMessage<InvalidInput>(HasSubstr("1 to 64, found 0")));
   EXPECT_THROW(bspline_mask(65), InvalidInput);

@@ -101,6 +101,18 @@ TEST(ExponentialSpline, obeys_the_refinement_relation) {
   }
 }
 
+TEST(ExponentialSpline, of_level_k_is_the_scaled_difference_of_greens_functions) {
+  // n_k(x) = 2^-k Σ_i d_k[i] c(x - i/2^k); the reference prints 2^k, which does not refine and has integral 4^k
+  Roots quartered = tension;
+  for (Complex& a : quartered) a /= 4;
+  const auto d = exponential_difference_mask(tension, 2);
+  for (double x : {0.1, 0.4, 0.8}) {
+    double sum = 0;
+    for (int i = 0; i <= 4; ++i) sum += 0.25 * d[i] * exponential_green_function(tension, x - 0.25 * i);
+    EXPECT_NEAR(exponential_spline_value(quartered, 4 * x), sum, 1e-13 * absolute_sum(d));
+  }
+}
+
 TEST(ExponentialSpline, of_small_or_coincident_roots_does_not_cancel) {
   for (double x : {0.5, 2., 3.3, 4.75}) {
     const double bspline = bspline_value(6, x);
