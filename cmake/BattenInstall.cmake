@@ -10,6 +10,7 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/battenConfigVersion.cmak
 install(EXPORT battenTargets NAMESPACE batten:: DESTINATION "${batten_package_dir}")
 install(FILES
   "${PROJECT_BINARY_DIR}/battenConfig.cmake" "${PROJECT_BINARY_DIR}/battenConfigVersion.cmake"
-  "${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake" "${PROJECT_SOURCE_DIR}/cmake/FindGMP.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake" "${PROJECT_SOURCE_DIR}/cmake/FindClp.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindGMP.cmake"
   DESTINATION "${batten_package_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/batten")

@@ -38,6 +38,7 @@ const std::vector<Library>& confined_libraries() {
   static const std::vector<Library> libraries = {
       {"VTK", std::regex(R"(^<vtk)"), {"io", "tests"}},
       {"CGAL", std::regex(R"(^<CGAL/)"), {"domains", "tests"}},
+      {"Clp", std::regex(R"(^<(coin/)?Clp)"), {"bases"}},
       {"SuiteSparse",
        std::regex(R"(^<(suitesparse/)?(cholmod|umfpack|SuiteSparse)|^<Eigen/(Cholmod|UmfPack|SPQR)Support>)"),
        {"fem", "tests", "bench"}},

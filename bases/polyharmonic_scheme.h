@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/bases/mask_family.h>
+#include <batten/bases/polyharmonic_residual.h>
+
+namespace batten {
+
+// Finite masks in place of the polyharmonic s_m = 4^(1-m) (l[x²,y²] / l[x,y])^m [Warren & Weimer 2001, sec. 5.2]. All
+// throw InvalidInput when the order is below 1, or the size even or below 3. Masks are centred on 0.
+
+/// The coefficients |i|, |j| <= (size - 1) / 2 of the Laurent series [ibid., sec. 5.2.1]. They do not sum to 4, nor do
+/// the cosets to 1.
+Mask2<double> truncated_laurent_mask(int order, int size);
+
+struct JacobiOptions {
+  /// Jacobi's a. Rounds converge for a in (0, 2 / 8^m); 0 stands for 1 / 8^m.
+  Rational relaxation = 0;
+  int rounds = 3;
+};
+
+/// s^i = s^(i-1) - a (-1)^m (l^m s^(i-1) - 4^(1-m) l^m[x²,y²]), for m = 1 (a l + 1) s^(i-1) - a l[x²,y²], from the
+/// B-spline of order 2m in each direction, for m = 1 (1+x)² (1+y)² / (4 x y) [ibid., sec. 5.2.2]. The size is
+/// 2m (rounds + 1) + 1. Every one has zeros of order 2m at (-1,1), (1,-1), (-1,-1) and the sum 4.
+Mask2<Rational> jacobi_mask(int order, const JacobiOptions& options = {});
+/// The rounds that give a mask of this size. Throws InvalidInput that names the sizes next to it when there are none.
+int jacobi_rounds(int order, int size);
+
+/// A mask and the largest coset sum of its residual, with the dual certificate checked: no mask of the family has less.
+struct OptimalMask {
+  Mask2<Rational> mask;
+  Rational residual;
+};
+
+/// The mask whose residual_norm is least under the constraints, by linear programming [ibid., sec. 5.2.3], exact.
+/// Throws InvalidInput that names the first constraint that cannot be met.
+OptimalMask optimal_mask(int order, int size, const MaskConstraints& constraints = {});
+
+/// The mask for which the sum of the squares of all coefficients of the residual is least, exact. Throws as above.
+Mask2<Rational> least_squares_mask(int order, int size, const MaskConstraints& constraints = {});
+
+}  // namespace batten
