@@ -62,7 +62,8 @@ std::vector<MatrixDifferenceOptions> choices(int order) {
   if constexpr (D == 1)
     return {{.order = order}};
   else
-    return {{.order = order}, {.order = order, .margin = 1}, {.order = order, .steps = 2}, {.order = order, .steps = 3}};
+    return {
+        {.order = order}, {.order = order, .margin = 1}, {.order = order, .steps = 2}, {.order = order, .steps = 3}};
 }
 
 template <int D>
@@ -99,7 +100,8 @@ std::string roughness_text(const Roughness<D>& obstacle, int arity) {
   const bool at_zero = obstacle.point.shift == Index<D>{};
   const std::string place = at_zero ? "0" : index_text<D>(obstacle.point.shift) + "/" + std::to_string(period);
   const std::string rounds = obstacle.point.steps > 1 ? std::to_string(obstacle.point.steps) + " rounds" : "a round";
-  return "at x = " + place + " limits other than polynomials scale by |λ| >= " + obstacle.radius.str() + " in " + rounds;
+  return "at x = " + place + " limits other than polynomials scale by |λ| >= " + obstacle.radius.str() + " in " +
+         rounds;
 }
 
 }  // namespace
@@ -110,8 +112,7 @@ FixedPoint<D> fixed_point(const std::vector<int>& factors, int arity) {
   FixedPoint<D> point{static_cast<int>(factors.size()), {}};
   int period = 1;
   for (int e : factors) {
-    for (std::size_t d = 0; d < D; ++d)
-      point.shift[d] = arity * point.shift[d] + all[static_cast<std::size_t>(e)][d];
+    for (std::size_t d = 0; d < D; ++d) point.shift[d] = arity * point.shift[d] + all[static_cast<std::size_t>(e)][d];
     period *= arity;
   }
   for (int& shift : point.shift) shift %= period - 1;  // 1 is a grid point like 0

@@ -10,9 +10,9 @@
 namespace batten {
 
 struct SmoothnessOptions {
-  int largest_power = 12;      ///< of ‖T^n‖ in one dimension
-  int largest_power_2d = 6;    ///< of ‖T^n‖ in two dimensions
-  int largest_continuity = 20; ///< m beyond which nothing is asked
+  int largest_power = 12;       ///< of ‖T^n‖ in one dimension
+  int largest_power_2d = 6;     ///< of ‖T^n‖ in two dimensions
+  int largest_continuity = 20;  ///< m beyond which nothing is asked
 };
 
 /// How smooth the limits of a scheme are, and why.

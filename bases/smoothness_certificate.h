@@ -42,8 +42,8 @@ struct CosetDefect {
   Rational sum;
 };
 
-/// An upper bound of the joint spectral radius of the transition matrices A_e modulo polynomials of degree < order: they
-/// map a polytope P, the hull of ± its vertices, into radius · P. Then every product of n of them has norm at most
+/// An upper bound of the joint spectral radius of the transition matrices A_e modulo polynomials of degree < order:
+/// they map a polytope P, the hull of ± its vertices, into radius · P. Then every product of n of them has norm at most
 /// radius^n in the norm with unit ball P [Guglielmi & Protasov 2013]. Limits are C^α for all
 /// α < min(order, -log(radius) / log arity); see transition_matrices.
 template <int D>
