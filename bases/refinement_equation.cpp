@@ -77,17 +77,14 @@ TransitionRow transition_row(const RefinementEquation<E>& equation, const Intege
   return row;
 }
 
-/// Takes away the rows, and their unknowns, that only see unknowns taken away: points of the box outside the support.
+/// Takes the terms away that see an unknown without a row, and so on with rows that this leaves empty: they belong to
+/// points of the box outside the support.
 void prune(std::vector<TransitionRow>& rows) {
-  std::vector<bool> is_zero(rows.size(), false);
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (is_zero[i]) continue;
-      std::erase_if(rows[i], [&](const auto& term) { return is_zero[term.first]; });
-      if (!rows[i].empty()) continue;
-      is_zero[i] = changed = true;
-    }
+  const auto sees_nothing = [&](const auto& term) { return rows[term.first].empty(); };
+  std::size_t taken = 1;
+  while (taken > 0) {
+    taken = 0;
+    for (auto& row : rows) taken += std::erase_if(row, sees_nothing);
   }
 }
 

@@ -120,8 +120,9 @@ double ScalingFunction<D>::error_bound(int rounds, bool is_cut) const {
   for (int n : real_mask_.size()) terms *= n / mask_.arity + 1;
   const double size = largest + bound_.oscillation;  // of the function
   const double rounding = (rounds * (terms + 2) * bound_.amplification + 1) * epsilon * size * bound_.amplification;
-  const double cut =
-      is_cut ? bound_.amplification * bound_.oscillation * std::pow(bound_.ratio, rounds / bound_.rounds) : 0;
+  const double cut = is_cut ? bound_.amplification * bound_.oscillation *
+                                  std::pow(bound_.ratio, std::floor(static_cast<double>(rounds) / bound_.rounds))
+                            : 0;
   return rounding + cut;
 }
 
