@@ -151,6 +151,7 @@ std::vector<FixedPoint<D>> grid_fixed_points(int arity) {
 template <int D>
 bool has_box_factors(const LaurentPolynomial<Rational, D>& s, const std::vector<Index<D>>& directions) {
   using Polynomial = LaurentPolynomial<Rational, D>;
+  if (std::count(directions.begin(), directions.end(), Index<D>{}) > 0) return false;  // would count for nothing
   Polynomial product = Polynomial::constant(Rational(1 << D));
   for (const Index<D>& d : directions)
     product *= (Polynomial::constant(1) + Polynomial::monomial(d, 1)) * Rational(1, 2);
