@@ -19,7 +19,7 @@ struct DecayBound {
   std::string reason;
 };
 
-/// What is to be compared: s_k[x] = s_∞-like rest b_k[x] times `smoothing_factors` factors (1 + η_k x)/(1 + η_k),
+/// What is to be compared: the mask of level k is b_k[x] times `smoothing_factors` factors (1 + η_k x)/(1 + η_k),
 /// η_k = e^(a/2^k), each with its own a, zero or not, possibly in complex pairs.
 struct AsymptoticProblem {
   std::function<Mask<double>(int level)> rest;  ///< b_k, level 1, 2, ..., of sum 2
@@ -40,8 +40,8 @@ struct AsymptoticSmoothness {
 };
 
 /// The rest b_k is C^m when Σ_k 2^(mk) ‖B_k - B_∞‖ < ∞, so when alpha < 2^-m, and b_∞ is C^m
-/// [Dyn & Levin 1995, th. 7 and 8; Warren & Weimer 2001, sec. 4.4.4]; each smoothing factor adds one
-/// [Dyn & Levin 1995, th. 10; Dyn & Levin 2002, sec. 4.3]. What the comparison proves, not what is best possible: no
+/// [Dyn & Levin 1995; Warren & Weimer 2001, sec. 4.4.4]; each smoothing factor adds one
+/// [Dyn & Levin 1995; Dyn & Levin 2002]. What the comparison proves, not what is best possible: no
 /// upper bound of the smoothness is given. The masks of levels 1 .. levels are looked at: a level that violates the
 /// bound takes the verdict back to -1.
 AsymptoticSmoothness asymptotic_smoothness(const AsymptoticProblem& problem, int levels = 20);

@@ -119,6 +119,14 @@ std::string fault_of(const CosetDefect<D>& defect, const LaurentPolynomial<Ratio
 }
 
 template <int D>
+std::string fault_of(const BoxFactors<D>& box, const LaurentPolynomial<Rational, D>& s, int arity) {
+  if (arity != 2) return "box splines are known for arity 2";
+  if (!has_box_factors<D>(s, box.directions)) return "the mask is not the product over the directions";
+  if (box.convergence.order != 1) return "convergence needs a contraction of order 1";
+  return fault_of(box.convergence, s, arity);
+}
+
+template <int D>
 std::string fault_of(const InvariantPolytope<D>& polytope, const LaurentPolynomial<Rational, D>& s, int arity) {
   const auto mask = without_half_shift(s);
   if (polytope.order < 1 || polytope.order > sum_rule_order(mask, arity)) return "the sum rules are missing";
@@ -144,6 +152,11 @@ std::string fault_of(const InvariantPolytope<D>& polytope, const LaurentPolynomi
 
 template <int D>
 std::string fault_of(const Smoothness<D>& verdict, const LaurentPolynomial<Rational, D>& s, int arity) {
+  if (verdict.box) {
+    const std::string fault = fault_of(*verdict.box, s, arity);
+    if (!fault.empty()) return "box spline: " + fault;
+    return verdict.continuity == box_continuity<D>(verdict.box->directions) ? "" : "the box spline is not so smooth";
+  }
   if (verdict.continuity < -1 || verdict.proof.size() != static_cast<std::size_t>(verdict.continuity + 1))
     return "each order up to " + std::to_string(verdict.continuity + 1) + " needs its contraction";
   for (std::size_t k = 0; k < verdict.proof.size(); ++k) {
@@ -162,6 +175,12 @@ std::string fault_of(const Smoothness<D>& verdict, const LaurentPolynomial<Ratio
 
 template <int D>
 std::string fault_of(const HoelderBounds<D>& bounds, const LaurentPolynomial<Rational, D>& s, int arity) {
+  if (bounds.box) {
+    const std::string fault = fault_of(*bounds.box, s, arity);
+    if (!fault.empty()) return "box spline: " + fault;
+    const double exponent = box_continuity<D>(bounds.box->directions) + 1;
+    return bounds.lower <= exponent && exponent <= bounds.upper ? "" : "the box spline has another exponent";
+  }
   if (bounds.lower_proof.radius >= 1) return "the polytope does not prove convergence";
   const std::string lower = fault_of(bounds.lower_proof, s, arity);
   if (!lower.empty()) return "lower bound: " + lower;
@@ -180,6 +199,8 @@ template std::string fault_of(const Roughness<1>&, const Mask<Rational>&, int);
 template std::string fault_of(const Roughness<2>&, const Mask2<Rational>&, int);
 template std::string fault_of(const CosetDefect<1>&, const Mask<Rational>&, int);
 template std::string fault_of(const CosetDefect<2>&, const Mask2<Rational>&, int);
+template std::string fault_of(const BoxFactors<1>&, const Mask<Rational>&, int);
+template std::string fault_of(const BoxFactors<2>&, const Mask2<Rational>&, int);
 template std::string fault_of(const InvariantPolytope<1>&, const Mask<Rational>&, int);
 template std::string fault_of(const InvariantPolytope<2>&, const Mask2<Rational>&, int);
 template std::string fault_of(const Smoothness<1>&, const Mask<Rational>&, int);

@@ -27,6 +27,10 @@ std::string fault_of(const Roughness<D>& roughness, const LaurentPolynomial<Rati
 template <int D>
 std::string fault_of(const CosetDefect<D>& defect, const LaurentPolynomial<Rational, D>& s, int arity = 2);
 
+/// That the mask is the box spline's and converges.
+template <int D>
+std::string fault_of(const BoxFactors<D>& box, const LaurentPolynomial<Rational, D>& s, int arity = 2);
+
 /// That the transition matrices keep the polytope.
 template <int D>
 std::string fault_of(const InvariantPolytope<D>& polytope, const LaurentPolynomial<Rational, D>& s, int arity = 2);

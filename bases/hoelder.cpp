@@ -44,7 +44,9 @@ std::optional<Roughness<D>> rough_point(const LaurentPolynomial<Rational, D>& s,
 template <int D>
 Roughness<D> roughest_point(const LaurentPolynomial<Rational, D>& s, int arity,
                             const std::vector<MatrixProduct>& products) {
-  for (const MatrixProduct& product : products) {
+  constexpr std::size_t most = 8;  // beyond the first few products the search is long and seldom of use
+  for (std::size_t k = 0; k < std::min(most, products.size()); ++k) {
+    const MatrixProduct& product = products[k];
     const auto point =
         product.factors.size() == 1 ? grid_fixed_points<D>(arity) : std::vector{fixed_point<D>(product.factors, arity)};
     for (const FixedPoint<D>& at : point)
@@ -89,6 +91,10 @@ template <int D>
 HoelderBounds<D> hoelder_bounds(const SubdivisionScheme<D>& scheme, const HoelderOptions& options) {
   const int arity = scheme.arity();
   const auto s = without_half_shift(scheme.exact_mask());
+  if (auto box = box_factors(scheme)) {
+    const double exponent = box_continuity<D>(box->directions) + 1;
+    return {exponent, exponent, {}, {}, std::move(box)};
+  }
   const int order = sum_rule_order(s, arity);
   if (order == 0) {
     require_affine_invariance(scheme);

@@ -17,6 +17,7 @@ struct HoelderBounds {
   double upper = 0;
   InvariantPolytope<D> lower_proof;
   Roughness<D> upper_proof;
+  std::optional<BoxFactors<D>> box;  ///< instead of both proofs, where the exponent is that of a box spline
 };
 
 struct HoelderOptions {
@@ -27,10 +28,10 @@ struct HoelderOptions {
 /// Rigorous bounds for a convergent stationary scheme with a rational mask: certificates are exact, the logarithms are
 /// rounded outward by 1e-12. lower is at most the order of the sum rules.
 ///
-/// The upper bound is the scaling of the limits at a fixed point, the lower one minus the logarithm of an upper bound
-/// of the joint spectral radius; see Roughness and InvariantPolytope. Bounds farther apart than asked mean that the
-/// search gave up. Throws InvalidInput for a scheme without rational mask or without sum rules, SolverError when no
-/// bounds are found, as for divergent schemes.
+/// Exact for schemes whose structure() is a box spline. Otherwise the upper bound is the scaling of the limits at a
+/// fixed point, the lower one minus the logarithm of an upper bound of the joint spectral radius; see Roughness and
+/// InvariantPolytope. Bounds farther apart than asked mean that the search gave up. Throws InvalidInput for a scheme
+/// without rational mask or without sum rules, SolverError when no bounds are found, as for divergent schemes.
 template <int D>
 HoelderBounds<D> hoelder_bounds(const SubdivisionScheme<D>& scheme, const HoelderOptions& options = {});
 

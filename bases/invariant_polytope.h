@@ -19,7 +19,7 @@ struct PolytopeSearch {
 /// when it would need more than most_vertices.
 ///
 /// P starts as the hull of ± small unit vectors and of ± the leading eigenvectors of the matrices and of the best
-/// product; images that lie outside are added until none does [Guglielmi & Protasov 2013, alg. 1]. It ends when the
+/// product; images that lie outside are added until none does [Guglielmi & Protasov 2013]. It ends when the
 /// radius exceeds the joint spectral radius. Found in doubles, the vertices rounded to multiples of 2^-48, so that what
 /// is missing is small and exactly known.
 template <int D>

@@ -62,6 +62,17 @@ TEST(CertificateCheck, refuses_coset_sums_that_are_not_so) {
   EXPECT_THAT(fault_of(CosetDefect<1>{{0}, Q(1)}, four_point), HasSubstr("as it should"));
 }
 
+TEST(CertificateCheck, refuses_box_splines_with_directions_that_are_none) {
+  const BoxFactors<1> box{{{1}, {1}}, contraction(parse_mask("1/2,1/2"), 1, 1, Q(1, 2))};
+  EXPECT_EQ(fault_of(box, bspline_mask(2)), "");
+  auto forged = box;
+  forged.directions.push_back({0});  // (1 + x^0)/2 = 1 leaves the mask as it is
+  EXPECT_THAT(fault_of(forged, bspline_mask(2)), HasSubstr("not the product"));
+  forged = box;
+  forged.convergence.order = 2;
+  EXPECT_THAT(fault_of(forged, bspline_mask(2)), HasSubstr("order 1"));
+}
+
 TEST(CertificateCheck, refuses_polytopes_that_are_not_kept) {
   const auto bounds = hoelder_bounds(custom_scheme<1>(four_point));
   ASSERT_EQ(fault_of(bounds, four_point), "");

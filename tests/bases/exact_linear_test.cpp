@@ -26,7 +26,7 @@ TEST(CharacteristicPolynomial, of_a_companion_matrix_is_its_polynomial) {
 }
 
 TEST(CharacteristicPolynomial, vanishes_at_its_matrix) {
-  // [Cayley & Hamilton]
+  // the theorem of Cayley and Hamilton
   const auto a = matrix(4, 4, {1, 2, 0, -1, 3, 0, 5, 1, Q(1, 2), 4, -2, 0, 7, 1, 1, 3});
   const auto p = characteristic_polynomial(a);
   RationalMatrix value(4, 4);

@@ -67,6 +67,28 @@ TEST(Smoothness, of_box_splines_is_the_number_of_directions_less_the_parallel_on
   EXPECT_EQ(exact_continuity(repeated), 0);  // directions (1,0), (0,1), (1,1), (1,1)
 }
 
+TEST(Smoothness, of_a_box_spline_with_dependent_translates_comes_from_its_directions) {
+  // Twice the four directions of Zwart and Powell: C^4, 8 - 2 - 2, while the mask has sum rules of order 4 only.
+  const Scheme2::Structure structure{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, 0}, {0, 1}, {1, 1}, {-1, 1}}, {}};
+  const auto s = zwart_powell_mask() * zwart_powell_mask() * Q(1, 4);
+  const auto verdict = smoothness(Scheme2("box", s, 2, structure));
+  EXPECT_EQ(verdict.continuity, 4);
+  EXPECT_TRUE(verdict.is_decided());
+  EXPECT_EQ(fault_of(verdict, s), "");
+  EXPECT_EQ(fault_of(hoelder_bounds(Scheme2("box", s, 2, structure)), s), "");
+  EXPECT_EQ(hoelder_bounds(Scheme2("box", s, 2, structure)).upper, 5);
+  auto forged = verdict;
+  forged.continuity = 5;
+  EXPECT_NE(fault_of(forged, s), "");
+  forged = verdict;
+  forged.box->directions.pop_back();
+  EXPECT_NE(fault_of(forged, s), "");
+  // without the directions what differences prove
+  const auto typed = smoothness(custom_scheme<2>(s));
+  EXPECT_EQ(typed.continuity, 3);
+  EXPECT_THAT(explanation(typed, 2), HasSubstr("C^4 undecided: the sum rules are missing"));
+}
+
 TEST(Smoothness, of_the_butterfly_and_the_interpolatory_quad_scheme_is_c1) {
   EXPECT_EQ(exact_continuity(butterfly_mask()), 1);
   EXPECT_EQ(exact_continuity(quad_interpolatory_mask()), 1);
