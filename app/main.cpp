@@ -72,8 +72,7 @@ int run(int argc, char** argv) {
   app.set_help_flag("-h,--help", "print this help and exit");
   app.footer("batten COMMAND --help explains each command.");
   app.require_subcommand(1);
-  const std::vector<Subcommand> commands = {add_fit_command(app), add_evaluate_command(app),
-                                            add_scheme_command(app)};
+  const std::vector<Subcommand> commands = {add_fit_command(app), add_evaluate_command(app), add_scheme_command(app)};
   if (argc <= 1) {
     std::cout << app.help();
     return 0;

@@ -148,11 +148,13 @@ Json smoothness_json(const Smoothness<D>& verdict, const SubdivisionScheme<D>& s
   return json;
 }
 
-/// Throws InvalidInput if limits do not exist. Splines, which are limits of a weaker kind where they jump, are known to.
+/// Throws InvalidInput if limits do not exist. Splines, which are limits of a weaker kind where they jump, are known
+/// to.
 template <int D>
 void require_convergence(const SubdivisionScheme<D>& scheme, const Smoothness<D>& verdict) {
   if (verdict.continuity >= 0 || !verdict.is_decided() || !scheme.structure().directions.empty()) return;
-  throw InvalidInput(scheme.name() + " does not converge to continuous limits: " + explanation(verdict, scheme.arity()));
+  throw InvalidInput(scheme.name() +
+                     " does not converge to continuous limits: " + explanation(verdict, scheme.arity()));
 }
 
 template <int D>

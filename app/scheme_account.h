@@ -12,8 +12,8 @@ namespace batten {
 
 /// What `batten scheme` tells of a scheme, as JSON with the keys of its help; rationals are strings "p/q".
 ///
-/// Without a question in the arguments everything is told but what takes long: smoothness in the plane. Throws UsageError
-/// for questions that cannot be read, InvalidInput for what the scheme does not have, such as a derivative.
+/// Without a question in the arguments everything is told but what takes long: smoothness in the plane. Throws
+/// UsageError for questions that cannot be read, InvalidInput for what the scheme does not have, such as a derivative.
 nlohmann::ordered_json scheme_account(const AnyScheme& scheme, const SchemeArguments& arguments);
 
 /// The same for a reader. `mask` is the mask as a polynomial.

@@ -18,8 +18,8 @@ using AnyScheme = std::variant<Scheme, Scheme2>;
 /// The names that `batten scheme` knows, separated by commas.
 std::string scheme_names();
 
-/// The scheme of that name and those options. Throws UsageError for a name that is not known (with the names), an option
-/// that the scheme does not have or needs, or one that cannot be read; InvalidInput for values that it refuses.
+/// The scheme of that name and those options. Throws UsageError for a name that is not known (with the names), an
+/// option that the scheme does not have or needs, or one that cannot be read; InvalidInput for values that it refuses.
 AnyScheme scheme_of(const SchemeArguments& arguments);
 
 /// Integers separated by commas, rows by semicolons: "1,0;0,1" -> {{1, 0}, {0, 1}}. Throws UsageError that names the

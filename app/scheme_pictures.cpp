@@ -11,9 +11,11 @@
 #include <batten/io/output_file.h>
 #include <batten/io/picture.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace batten {
 namespace {
@@ -80,6 +82,22 @@ void draw_scaling(const Scheme& scheme, const SchemeArguments& arguments) {
   write_chart(arguments.picture, lines, options);
 }
 
+/// Blanks zeros among zeros: what lies outside the support, where the picture shows nothing.
+void blank_outside(GridSamples& grid) {
+  const auto [nx, ny] = grid.points;
+  std::vector<double>& values = grid.arrays[0].values;
+  const std::vector<double> before = values;
+  const auto all_zero = [&, nx = nx, ny = ny](int i, int j) {
+    for (int b = std::max(0, j - 1); b <= std::min(ny - 1, j + 1); ++b)
+      for (int a = std::max(0, i - 1); a <= std::min(nx - 1, i + 1); ++a)
+        if (before[static_cast<std::size_t>(a + b * nx)] != 0) return false;
+    return true;
+  };
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i)
+      if (all_zero(i, j)) values[static_cast<std::size_t>(i + j * nx)] = std::numeric_limits<double>::quiet_NaN();
+}
+
 void draw_scaling(const Scheme2& scheme, const SchemeArguments& arguments) {
   const auto support = scheme.support();
   std::array<double, 2> low{}, high{};
@@ -107,6 +125,7 @@ void draw_scaling(const Scheme2& scheme, const SchemeArguments& arguments) {
     write_image(arguments.output, grid, record);
   }
   if (arguments.picture.empty()) return;
+  blank_outside(grid);
   PictureOptions options;
   options.title = "scaling function of " + scheme.name();
   options.value_name = "n";
@@ -152,8 +171,7 @@ CurveSamples curve_of(const ControlPolygon& polygon, std::string name, bool clos
 /// The polygon and its limit, to what a picture shows.
 void draw_control(const Scheme& scheme, const SchemeArguments& arguments) {
   const ControlPolygon control = parse_control(arguments.control);
-  const int levels =
-      level_for(static_cast<double>(control.points.rows()), scheme.arity(), limit_points);
+  const int levels = level_for(static_cast<double>(control.points.rows()), scheme.arity(), limit_points);
   const ControlPolygon limit = subdivided(
       scheme, control, {.levels = levels, .ends = arguments.closed ? Ends::Periodic : Ends::Open, .data_level = 0});
   const std::array curves = {curve_of(control, "control polygon", arguments.closed),
@@ -163,8 +181,8 @@ void draw_control(const Scheme& scheme, const SchemeArguments& arguments) {
   ChartOptions options;
   options.title = scheme.name() + ": control polygon and limit";
   options.equal_scale = true;
-  write_chart(arguments.picture,
-              std::array{ChartLine{curves[0], ChartLine::Style::LineAndDots}, ChartLine{curves[1]}}, options);
+  write_chart(arguments.picture, std::array{ChartLine{curves[0], ChartLine::Style::LineAndDots}, ChartLine{curves[1]}},
+              options);
 }
 
 }  // namespace

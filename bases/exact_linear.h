@@ -24,7 +24,9 @@ public:
   friend bool operator==(const RationalMatrix&, const RationalMatrix&) = default;
 
 private:
-  std::size_t place(int i, int j) const { return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(j); }
+  std::size_t place(int i, int j) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(j);
+  }
 
   int rows_, columns_;
   std::vector<Rational> entries_;

@@ -50,6 +50,23 @@ void for_smaller(const Index<D>& k, Work&& work) {
     }
 }
 
+/// M_k from M_l, l < k: (arity^(D + |k|) - arity^D) M_k = Σ_l binomial(k, l) (Σ_j s[j] j^(k - l)) M_l.
+template <int D>
+Rational next_moment(const Index<D>& k, int arity, const Terms<D>& of_mask, const Terms<D>& M) {
+  Rational sum = 0;
+  for_smaller<D>(k, [&](const Index<D>& l) {
+    if (l == k) return;
+    Rational term = M.at(l);
+    Index<D> rest = k;
+    for (std::size_t d = 0; d < D; ++d) {
+      term *= binomial(k[d], l[d]);
+      rest[d] -= l[d];
+    }
+    sum += term * of_mask.at(rest);
+  });
+  return sum / (integer_power(arity, D + total(k)) - integer_power(arity, D));
+}
+
 }  // namespace
 
 template <int D>
@@ -92,22 +109,7 @@ Rational moment(const SubdivisionScheme<D>& scheme, const Index<D>& power) {
   Terms<D> of_mask, M;
   for_smaller<D>(power, [&](const Index<D>& k) { of_mask[k] = mask_moment(s, k); });
   for_smaller<D>(power, [&](const Index<D>& k) {
-    if (k == Index<D>{}) {
-      M[k] = 1;
-      return;
-    }
-    Rational sum = 0;
-    for_smaller<D>(k, [&](const Index<D>& l) {
-      if (l == k) return;
-      Rational term = M[l];
-      Index<D> rest = k;
-      for (std::size_t d = 0; d < D; ++d) {
-        term *= binomial(k[d], l[d]);
-        rest[d] -= l[d];
-      }
-      sum += term * of_mask[rest];
-    });
-    M[k] = sum / (integer_power(scheme.arity(), D + total(k)) - integer_power(scheme.arity(), D));
+    M[k] = k == Index<D>{} ? Rational(1) : next_moment<D>(k, scheme.arity(), of_mask, M);
   });
   return M[power];
 }

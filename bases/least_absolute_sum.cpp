@@ -13,8 +13,8 @@ namespace {
 
 constexpr double tolerance = 1e-8;  // relative, of prices against costs
 
-/// Dual prices y tell the column to enter: y·A_j may not exceed costs_j in magnitude. The basis holds signed columns, so
-/// that all values are >= 0.
+/// Dual prices y tell the column to enter: y·A_j may not exceed costs_j in magnitude. The basis holds signed columns,
+/// so that all values are >= 0.
 class Simplex {
 public:
   Simplex(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::VectorXd>& b,

@@ -50,8 +50,9 @@ template <int D>
 RationalMatrix limit_values(const LaurentPolynomial<Rational, D>& s, int arity, const IndexBox<D>& window) {
   const auto values = grid_values(s, arity);
   if (!values)
-    throw InvalidInput("local_characteristic_polynomial: limits must be continuous, found that the refinement equation "
-                       "does not give their values at grid points");
+    throw InvalidInput(
+        "local_characteristic_polynomial: limits must be continuous, found that the refinement equation "
+        "does not give their values at grid points");
   const auto fine = iterated(s, fine_steps, arity) * *values;  // n at the points i / arity^fine_steps
   const int scale = whole_power(arity, fine_steps);
   IndexBox<D> points;  // i with i - scale j in the support of `fine` only for j in the window

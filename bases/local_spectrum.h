@@ -23,9 +23,7 @@ enum class LocalData { Coefficients, Limits };
 /// det(λ - A), A the n rounds of subdivision of the data v that a limit depends on near x*,
 /// (A v)[i] = Σ_j s_n[i + shift - arity^n j] v[j], on the quotient space of `data`.
 ///
-/// Throws InvalidInput when s has not all its moments of order 0 right, or when limits are asked for and the scheme
-/// has no continuous ones: no or many solutions h of h[i] = Σ_j s[arity i - j] h[j], Σ h = 1, on the grid points inside
-/// the support.
+/// Throws InvalidInput when limits are asked for and grid_values() does not have them.
 template <int D>
 std::vector<Rational> local_characteristic_polynomial(const LaurentPolynomial<Rational, D>& s, int arity,
                                                       const FixedPoint<D>& point, LocalData data);
@@ -38,12 +36,12 @@ std::vector<Rational> local_characteristic_polynomial(const LaurentPolynomial<Ra
 /// λ f(x) near x*. A Taylor polynomial q of f of degree m has the same scaling up to o(|x|^m), so it is zero or
 /// homogeneous with λ = arity^(-n j); f - q is o(|x|^m) and grows by λ >= arity^(-n m) from scale to scale, so it is
 /// zero. Generalised eigenvectors likewise have no Jordan block: their limits are polynomials, homogeneous of degree j.
-/// [Daubechies & Lagarias 1992; Warren & Weimer 2001, sec. 8.2, for the idea]
+/// [Daubechies & Lagarias 1992; Warren & Weimer 2001, ch. 8, for the idea]
 template <int D>
 bool has_rough_eigenvalue(std::vector<Rational> characteristic, const Rational& radius, int steps, int arity);
 
-/// The values of a continuous scaling function at grid points, Σ = 1; nothing where the refinement equation does not
-/// fix them.
+/// The values of a continuous scaling function at grid points, Σ h = 1: the only solution of
+/// h[i] = Σ_j s[arity i - j] h[j] on the grid points inside the support, nothing where there is none or more.
 template <int D>
 std::optional<LaurentPolynomial<Rational, D>> grid_values(const LaurentPolynomial<Rational, D>& s, int arity = 2);
 

@@ -76,9 +76,11 @@ LaurentPolynomial<T, D>::LaurentPolynomial(const Index<D>& first, const Index<D>
   require(coefficients_.size() == volume<D>(size),
           ("LaurentPolynomial: the box needs " + std::to_string(volume<D>(size)) + " coefficients").c_str(),
           std::to_string(coefficients_.size()));
-  for (std::size_t k = 0; k < coefficients_.size(); ++k)
-    require(is_finite(coefficients_[k]), "LaurentPolynomial: coefficients must be finite",
-            "a number that is not at place " + std::to_string(k));
+  const auto finite = [](const T& c) { return is_finite(c); };
+  const auto other = std::find_if_not(coefficients_.begin(), coefficients_.end(), finite);
+  if (other != coefficients_.end())
+    throw InvalidInput("LaurentPolynomial: coefficients must be finite, found a number that is not at place " +
+                       std::to_string(other - coefficients_.begin()));
   trim();
 }
 

@@ -56,8 +56,7 @@ private:
   void for_terms(const Unknown& unknown, Work&& work) const {
     const auto& op = operators_[static_cast<std::size_t>(unknown.operator_index)];
     for (int y = 0; y < op.size()[1]; ++y)
-      for (int x = 0; x < op.size()[0]; ++x)
-        work(unknown.at[0] + x + size_[0] * (unknown.at[1] + y), op[{x, y}]);
+      for (int x = 0; x < op.size()[0]; ++x) work(unknown.at[0] + x + size_[0] * (unknown.at[1] + y), op[{x, y}]);
   }
 
   std::vector<Rational> right_side() const {
@@ -79,8 +78,10 @@ private:
     for (int i = 0; i < equations(); ++i) system(i, last) = right[static_cast<std::size_t>(i)];
     const EchelonForm form = echelon_form(std::move(system));
     if (!form.pivots.empty() && form.pivots.back() == last)
-      throw InvalidInput("matrix_difference_scheme: the sum rules of this order and a support that holds the scheme are "
-                         "needed, found no combination of differences for " + to_string(c_));
+      throw InvalidInput(
+          "matrix_difference_scheme: the sum rules of this order and a support that holds the scheme are "
+          "needed, found no combination of differences for " +
+          to_string(c_));
     std::vector<Mask2<Rational>> row(operators_.size());
     for (std::size_t i = 0; i < form.pivots.size(); ++i) {
       const int k = chosen[static_cast<std::size_t>(form.pivots[i])];

@@ -13,13 +13,13 @@ struct MatrixDifferenceOptions {
 };
 
 /// The matrix scheme T of the differences of s of an order q, for which is_difference_scheme holds, with the least norm
-/// ‖T‖ among those of the given support: q + 1 rows and columns in two dimensions [Warren & Weimer 2001, th. 3.10]. T is
-/// not unique, neither is the one with least norm; its norm is.
+/// ‖T‖ among those of the given support: q + 1 rows and columns in two dimensions [Warren & Weimer 2001, th. 3.10]. T
+/// is not unique, neither is the one with least norm; its norm is.
 ///
 /// A linear program for each row and coset, which do not depend on each other: minimise Σ_j ‖A_j‖₁ subject to
-/// Σ_j A_j[x] (1-x)^(q-j) (1-y)^j = C[x], C the coset of arity^((q-1) steps) (1-x)^(q-i) (1-y)^i s_n [ibid., sec. 3.3.2].
-/// Solved in doubles; the optimal basis is then solved in rationals, so that the identity holds exactly, and the norm is
-/// that of an exact T.
+/// Σ_j A_j[x] (1-x)^(q-j) (1-y)^j = C[x], C the coset of arity^((q-1) steps) (1-x)^(q-i) (1-y)^i s_n [ibid.,
+/// sec. 3.3.2]. Solved in doubles; the optimal basis is then solved in rationals, so that the identity holds exactly,
+/// and the norm is that of an exact T.
 ///
 /// In one dimension it is difference_scheme's mask, taken `steps` times. Throws InvalidInput when there is none: s has
 /// not the sum rules of this order, or the support is too small.
@@ -31,9 +31,9 @@ MaskMatrix<Rational, D> matrix_difference_scheme(const LaurentPolynomial<Rationa
 /// box of c. As above; throws InvalidInput when there is none.
 std::vector<Mask2<Rational>> least_difference_row(const Mask2<Rational>& c, int order, int margin = 0);
 
-/// T for a product of linear factors, s = 4 ∏_d (1 + x^d)/2 over directions d, and differences along two of them, when
-/// the factor of each is taken from s: diag(arity s/(1 + x^u), arity s/(1 + x^v)) over arity, u = (1,0), v = (0,1)
-/// [Warren & Weimer 2001, sec. 3.3.1]. A cheap certificate for order 1. Throws InvalidInput when a factor is missing.
+/// The first differences' T = diag(s / (1 + x), s / (1 + y)), 1 + ... + x^(arity-1) for other arities: a certificate of
+/// order 1 without search, where both factors divide s, as they do for box splines with the directions (1,0) and (0,1)
+/// [Warren & Weimer 2001, sec. 3.3.1]. Throws InvalidInput when a factor is missing.
 MaskMatrix<Rational, 2> factored_difference_scheme(const Mask2<Rational>& s, int arity = 2);
 
 }  // namespace batten

@@ -3,10 +3,12 @@
 #include <batten/bases/refinement_equation.h>
 #include <batten/domains/errors.h>
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace batten {
@@ -77,17 +79,14 @@ TransitionRow transition_row(const RefinementEquation<E>& equation, const Intege
   return row;
 }
 
-/// Takes away the rows, and their unknowns, that only see unknowns taken away: points of the box outside the support.
+/// Takes the terms away that see an unknown without a row, and so on with rows that this leaves empty: they belong to
+/// points of the box outside the support.
 void prune(std::vector<TransitionRow>& rows) {
-  std::vector<bool> is_zero(rows.size(), false);
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (is_zero[i]) continue;
-      std::erase_if(rows[i], [&](const auto& term) { return is_zero[term.first]; });
-      if (!rows[i].empty()) continue;
-      is_zero[i] = changed = true;
-    }
+  const auto sees_nothing = [&](const auto& term) { return rows[term.first].empty(); };
+  std::size_t taken = 1;
+  while (taken > 0) {
+    taken = 0;
+    for (auto& row : rows) taken += std::erase_if(row, sees_nothing);
   }
 }
 
@@ -155,38 +154,53 @@ std::vector<ExactEquation> equations_of(const RefinementEquation<E>& equation, c
   return result;
 }
 
-/// Whether v -> Σ_k mask[arity i - k] v(k) makes vectors of sum zero small, as it does where f is continuous and the
-/// scheme converges: all eigenvalues but that of `values`, 1, are then below 1. In doubles, on one vector of no
-/// structure; eigenvalues above 0.998 count as 1.
-bool contracts(const std::vector<TransitionRow>& rows, const std::vector<int>& unknown_of,
-               const std::vector<Rational>& values) {
-  constexpr int most_rounds = 5000;
-  constexpr double small = 1e-4, large = 1e6;
-  std::vector<std::pair<std::size_t, double>> terms;
-  std::vector<std::size_t> ends;
+/// arity^M Σ_k mask[arity i - k] v(k) as a matrix on the points.
+Eigen::SparseMatrix<double, Eigen::RowMajor> transition_matrix(const std::vector<TransitionRow>& rows,
+                                                               const std::vector<int>& unknown_of, double factor) {
+  std::vector<Eigen::Triplet<double>> entries;
+  int count = 0;
   for (const auto& row : rows) {
     if (row.empty()) continue;
-    for (const auto& [k, c] : row) terms.emplace_back(static_cast<std::size_t>(unknown_of[k]), static_cast<double>(c));
-    ends.push_back(terms.size());
+    for (const auto& [k, c] : row) entries.emplace_back(count, unknown_of[k], factor * static_cast<double>(c));
+    ++count;
   }
-  Eigen::VectorXd n(static_cast<Eigen::Index>(values.size())), w(n.size());
-  for (Eigen::Index i = 0; i < n.size(); ++i) {
-    n[i] = static_cast<double>(values[static_cast<std::size_t>(i)]);
+  Eigen::SparseMatrix<double, Eigen::RowMajor> A(count, count);
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+/// An orthonormal basis of the polynomials up to a degree on the points.
+template <int E>
+Eigen::MatrixXd polynomials(const std::vector<Index<E>>& points, int degree) {
+  std::vector<Index<E>> powers;
+  for (int d = 0; d <= degree; ++d) std::ranges::copy(multi_indices<E>(d), std::back_inserter(powers));
+  const auto rows = static_cast<Eigen::Index>(points.size()), columns = static_cast<Eigen::Index>(powers.size());
+  Eigen::MatrixXd V(rows, columns);
+  for (Eigen::Index i = 0; i < rows; ++i)
+    for (Eigen::Index q = 0; q < columns; ++q)
+      V(i, q) = static_cast<double>(
+          reflected_power<E>(points[static_cast<std::size_t>(i)], powers[static_cast<std::size_t>(q)]));
+  return V.householderQr().householderQ() * Eigen::MatrixXd::Identity(rows, std::min(rows, columns));
+}
+
+/// Whether A makes vectors small whose moments up to the derivative's degree vanish, as it does where the derivative is
+/// continuous and the scheme converges. In doubles, on one vector without structure; eigenvalues above 0.998 count
+/// as 1.
+bool contracts(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const Eigen::MatrixXd& Q) {
+  constexpr int most_rounds = 5000;
+  constexpr double small = 1e-4, large = 1e6;
+  const auto without_moments = [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(v - Q * (Q.transpose() * v)); };
+  Eigen::VectorXd w(A.rows());
+  for (Eigen::Index i = 0; i < w.size(); ++i)
     w[i] = std::fmod(0.6180339887 * static_cast<double>(i + 1), 1) - 0.5;  // spread over (-1/2, 1/2)
-  }
-  w -= w.sum() * n;
+  w = without_moments(w);
   const double start = w.norm();
+  if (start <= 1e-12) return true;  // there are no such vectors
   for (int round = 0; round < most_rounds && w.norm() < large * start; ++round) {
     if (w.norm() <= small * start) return true;
-    const Eigen::VectorXd v = w;
-    for (std::size_t i = 0, term = 0; i < ends.size(); ++i) {
-      double sum = 0;
-      for (; term < ends[i]; ++term) sum += terms[term].second * v[static_cast<Eigen::Index>(terms[term].first)];
-      w[static_cast<Eigen::Index>(i)] = sum;
-    }
-    w -= w.sum() * n;  // rounding must not bring back what does not shrink
+    w = without_moments(A * w);  // A keeps the moments at zero; rounding does not
   }
-  return start <= 1e-12;  // nothing but n itself
+  return false;
 }
 
 void require_solvable_size(std::size_t unknowns) {
@@ -217,7 +231,10 @@ std::optional<Terms<E>> integer_values(const RefinementEquation<E>& equation) {
   }
   require_solvable_size(points.size());
   const auto v = unique_solution(equations_of(equation, rows, points, unknown_of), static_cast<int>(points.size()));
-  if (!v || (degree_of<E>(equation.derivative) == 0 && !contracts(rows, unknown_of, *v))) return std::nullopt;
+  const int degree = degree_of<E>(equation.derivative);
+  if (!v ||
+      !contracts(transition_matrix(rows, unknown_of, std::pow(equation.arity, degree)), polynomials<E>(points, degree)))
+    return std::nullopt;
   Terms<E> values;
   for (std::size_t n = 0; n < points.size(); ++n)
     if ((*v)[n] != 0) values.emplace(points[n], (*v)[n]);

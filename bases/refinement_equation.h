@@ -31,9 +31,10 @@ struct RefinementEquation {
 /// [Warren & Weimer 2001, sec. 6.1]. The moments are those of a derivative that exists: where P(∂) f is continuous for
 /// all P of degree M, the shifts of f generate the polynomials of degree M.
 ///
-/// Nothing when there is no such solution, or several, or, for M = 0, the equation's matrix has another eigenvalue of
-/// modulus 1 or more (found in doubles). These are necessary for f to be continuous; for the correlation of a function
-/// with itself, whose Fourier transform is not negative, the last one decides [Villemoes 1994].
+/// Nothing when there is no such solution, or several, or the equation's matrix does not shrink vectors without moments
+/// up to degree M (found in doubles). These are necessary for P(∂) f to be continuous where the scheme converges; for
+/// the correlation of a function with itself, whose Fourier transform is not negative, the last one decides
+/// [Villemoes 1994].
 ///
 /// E = 1, 2, 4. Throws InvalidInput when more than 6000 values are unknown.
 template <int E>

@@ -3,6 +3,7 @@
 #include <batten/domains/errors.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 
@@ -62,6 +63,13 @@ std::vector<Index<D>> shifts_that_meet(const std::vector<Index<D>>& domain, cons
   return {shifts.begin(), shifts.end()};
 }
 
+template <int D>
+std::map<Index<D>, std::size_t> places_of(const std::vector<Index<D>>& shifts) {
+  std::map<Index<D>, std::size_t> places;
+  for (const auto& shift : shifts) places.emplace(shift, places.size());
+  return places;
+}
+
 }  // namespace
 
 template <int D>
@@ -94,15 +102,14 @@ template <int D>
 RestrictedProducts<D> restricted_inner_products(const Factor<D>& n, const Factor<D>& m, const Index<D>& cells) {
   const auto domain = domain_cells<D>(cells);
   const CellProducts<D> products(n, m);
-  RestrictedProducts<D> result;
-  result.rows = shifts_that_meet<D>(domain, support_cells(n.scheme));
-  result.columns = shifts_that_meet<D>(domain, support_cells(m.scheme));
-  for (const auto& i : result.rows) {
-    auto& row = result.E.emplace_back(result.columns.size());
-    for (std::size_t b = 0; b < row.size(); ++b)
-      for (const auto& cell : domain)
-        row[b] += products(difference<D>(cell, i), difference<D>(cell, result.columns[b]));
-  }
+  const auto of_n = support_cells(n.scheme), of_m = support_cells(m.scheme);
+  RestrictedProducts<D> result{shifts_that_meet<D>(domain, of_n), shifts_that_meet<D>(domain, of_m), {}};
+  const auto rows = places_of<D>(result.rows), columns = places_of<D>(result.columns);
+  result.E.assign(rows.size(), std::vector<Rational>(columns.size()));
+  for (const auto& cell : domain)
+    for (const auto& a : of_n)
+      for (const auto& b : of_m)
+        result.E[rows.at(difference<D>(cell, a))][columns.at(difference<D>(cell, b))] += products(a, b);
   return result;
 }
 

@@ -120,8 +120,9 @@ double ScalingFunction<D>::error_bound(int rounds, bool is_cut) const {
   for (int n : real_mask_.size()) terms *= n / mask_.arity + 1;
   const double size = largest + bound_.oscillation;  // of the function
   const double rounding = (rounds * (terms + 2) * bound_.amplification + 1) * epsilon * size * bound_.amplification;
-  const double cut =
-      is_cut ? bound_.amplification * bound_.oscillation * std::pow(bound_.ratio, rounds / bound_.rounds) : 0;
+  const double cut = is_cut ? bound_.amplification * bound_.oscillation *
+                                  std::pow(bound_.ratio, std::floor(static_cast<double>(rounds) / bound_.rounds))
+                            : 0;
   return rounding + cut;
 }
 
@@ -134,13 +135,14 @@ typename ScalingFunction<D>::Basis ScalingFunction<D>::at(const Coordinates<doub
     t[d] = Digits(x[d], mask_.mask.half()[d] != 0);
   }
   Descent descent = mask_.remaining == Index<D>{} ? descend(t) : descend_exactly(x);
+  double largest = 0;
+  for (double v : descent.values) largest = std::max(largest, std::abs(v));
+  const int order = total(mask_.differences);  // its differences add up 2^order values
+  const double error = std::ldexp(descent.error + (order + 2) * epsilon * largest, order);
   const auto values = combined(differences_, window_, std::move(descent.values));
-  Basis basis{{}, values.size(), {values.coefficients().rbegin(), values.coefficients().rend()}, 0};
+  Basis basis{{}, values.size(), {values.coefficients().rbegin(), values.coefficients().rend()}, error};
   const Index<D> last = values.last();
   for (std::size_t d = 0; d < D; ++d) basis.first[d] = t[d].cell() - last[d];  // n(x - i) = f(t + cell - i)
-  double largest = 0;
-  for (double v : basis.values) largest = std::max(largest, std::abs(v));
-  basis.error = std::ldexp(descent.error + 2 * epsilon * largest, total(mask_.differences));
   return basis;
 }
 

@@ -30,7 +30,7 @@ public:
 
   /// ∂^r n(x). Throws InvalidInput when x is not finite.
   BoundedValue operator()(const Coordinates<double, D>& x) const;
-  BoundedValue operator()(double x) const requires(D == 1) { return (*this)(std::array<double, 1>{x}); }
+  BoundedValue operator()(double x) const requires(D == 1) { return (*this)(Coordinates<double, D>{x}); }
 
   /// ∂^r n(x - i) for the i of a box outside which it vanishes, x fastest: the basis at x.
   struct Basis {

@@ -64,12 +64,12 @@ LaurentPolynomial<T, D> refined(const LaurentPolynomial<T, D>& s, const LaurentP
     shift[d] = twice / 2;
     half[d] = twice % 2;
   }
+  const LaurentPolynomial<T, D> whole(p.first(), p.size(), {p.coefficients().begin(), p.coefficients().end()});
   std::vector<T> result(count);
   for (int k = 0; k < (D == 1 ? arity : arity * arity); ++k) {
     Index<D> residue{};
     residue[D - 1] = k / arity;  // overwritten in one dimension, where it is 0
     residue[0] = k % arity;
-    const LaurentPolynomial<T, D> whole(p.first(), p.size(), {p.coefficients().begin(), p.coefficients().end()});
     interleave<T, D>(result, first, size, coset(s, residue, arity) * whole, residue, arity);
   }
   for (std::size_t d = 0; d < D; ++d) first[d] += shift[d];

@@ -62,7 +62,8 @@ std::vector<MatrixDifferenceOptions> choices(int order) {
   if constexpr (D == 1)
     return {{.order = order}};
   else
-    return {{.order = order}, {.order = order, .margin = 1}, {.order = order, .steps = 2}, {.order = order, .steps = 3}};
+    return {
+        {.order = order}, {.order = order, .margin = 1}, {.order = order, .steps = 2}, {.order = order, .steps = 3}};
 }
 
 template <int D>
@@ -76,6 +77,26 @@ std::optional<Contraction<D>> contraction_of(int order, const LaurentPolynomial<
       return Contraction<D>{order, choice.steps, static_cast<int>(norms.size()), norms.back(), std::move(t)};
   }
   return std::nullopt;
+}
+
+template <int D>
+Smoothness<D> verdict_from_mask(const LaurentPolynomial<Rational, D>& s, int arity, const SmoothnessOptions& options) {
+  const int most = D == 1 ? options.largest_power : options.largest_power_2d;
+  Smoothness<D> verdict;
+  verdict.coset_defect = coset_defect(s, arity);
+  if (verdict.coset_defect) return verdict;
+  const int sum_rules = sum_rule_order(s, arity);
+  for (int m = 0; m <= options.largest_continuity; ++m) {
+    verdict.obstacle = obstacle_to(m, s, arity, sum_rules);
+    if (verdict.obstacle || m >= sum_rules) return verdict;
+    auto proof = contraction_of(m + 1, s, arity, most);
+    verdict.tried = most;
+    if (!proof) return verdict;
+    verdict.proof.push_back(std::move(*proof));
+    verdict.continuity = m;
+    verdict.tried = 0;
+  }
+  return verdict;
 }
 
 template <int D>
@@ -99,7 +120,8 @@ std::string roughness_text(const Roughness<D>& obstacle, int arity) {
   const bool at_zero = obstacle.point.shift == Index<D>{};
   const std::string place = at_zero ? "0" : index_text<D>(obstacle.point.shift) + "/" + std::to_string(period);
   const std::string rounds = obstacle.point.steps > 1 ? std::to_string(obstacle.point.steps) + " rounds" : "a round";
-  return "at x = " + place + " limits other than polynomials scale by |λ| >= " + obstacle.radius.str() + " in " + rounds;
+  return "at x = " + place + " limits other than polynomials scale by |λ| >= " + obstacle.radius.str() + " in " +
+         rounds;
 }
 
 }  // namespace
@@ -110,8 +132,7 @@ FixedPoint<D> fixed_point(const std::vector<int>& factors, int arity) {
   FixedPoint<D> point{static_cast<int>(factors.size()), {}};
   int period = 1;
   for (int e : factors) {
-    for (std::size_t d = 0; d < D; ++d)
-      point.shift[d] = arity * point.shift[d] + all[static_cast<std::size_t>(e)][d];
+    for (std::size_t d = 0; d < D; ++d) point.shift[d] = arity * point.shift[d] + all[static_cast<std::size_t>(e)][d];
     period *= arity;
   }
   for (int& shift : point.shift) shift %= period - 1;  // 1 is a grid point like 0
@@ -128,29 +149,57 @@ std::vector<FixedPoint<D>> grid_fixed_points(int arity) {
 }
 
 template <int D>
-Smoothness<D> smoothness(const SubdivisionScheme<D>& scheme, const SmoothnessOptions& options) {
-  const int arity = scheme.arity(), most = D == 1 ? options.largest_power : options.largest_power_2d;
-  const auto s = without_half_shift(scheme.exact_mask());
-  Smoothness<D> verdict;
-  verdict.coset_defect = coset_defect(s, arity);
-  if (verdict.coset_defect) return verdict;
-  const int sum_rules = sum_rule_order(s, arity);
-  for (int m = 0; m <= options.largest_continuity; ++m) {
-    verdict.obstacle = obstacle_to(m, s, arity, sum_rules);
-    if (verdict.obstacle || m >= sum_rules) return verdict;
-    auto proof = contraction_of(m + 1, s, arity, most);
-    verdict.tried = most;
-    if (!proof) return verdict;
-    verdict.proof.push_back(std::move(*proof));
-    verdict.continuity = m;
-    verdict.tried = 0;
+bool has_box_factors(const LaurentPolynomial<Rational, D>& s, const std::vector<Index<D>>& directions) {
+  using Polynomial = LaurentPolynomial<Rational, D>;
+  if (std::count(directions.begin(), directions.end(), Index<D>{}) > 0) return false;  // would count for nothing
+  Polynomial product = Polynomial::constant(Rational(1 << D));
+  for (const Index<D>& d : directions)
+    product *= (Polynomial::constant(1) + Polynomial::monomial(d, 1)) * Rational(1, 2);
+  Index<D> shift = s.first();
+  for (std::size_t d = 0; d < D; ++d) shift[d] -= product.first()[d];
+  return shifted(product, shift) == without_half_shift(s);
+}
+
+template <int D>
+int box_continuity(const std::vector<Index<D>>& directions) {
+  const int all = static_cast<int>(directions.size());
+  if constexpr (D == 1) {
+    return all - 2;
+  } else {
+    long most = 0;
+    for (const Index<2>& a : directions)
+      most = std::max<long>(most, std::count_if(directions.begin(), directions.end(),
+                                                [&](const Index<2>& b) { return a[0] * b[1] == a[1] * b[0]; }));
+    return all - static_cast<int>(most) - 2;
   }
+}
+
+template <int D>
+std::optional<BoxFactors<D>> box_factors(const SubdivisionScheme<D>& scheme) {
+  const auto& directions = scheme.structure().directions;
+  const auto& s = scheme.exact_mask();
+  if (directions.empty() || scheme.arity() != 2 || !has_box_factors<D>(s, directions)) return std::nullopt;
+  if (coset_defect(without_half_shift(s), 2)) return std::nullopt;
+  auto convergence = contraction_of(1, without_half_shift(s), 2, SmoothnessOptions{}.largest_power_2d);
+  if (!convergence) return std::nullopt;
+  return BoxFactors<D>{directions, std::move(*convergence)};
+}
+
+template <int D>
+Smoothness<D> smoothness(const SubdivisionScheme<D>& scheme, const SmoothnessOptions& options) {
+  auto verdict = verdict_from_mask(without_half_shift(scheme.exact_mask()), scheme.arity(), options);
+  if (verdict.is_decided()) return verdict;
+  verdict.box = box_factors(scheme);
+  if (verdict.box) verdict.continuity = box_continuity<D>(verdict.box->directions);
   return verdict;
 }
 
 template <int D>
 std::string explanation(const Smoothness<D>& verdict, int arity) {
   const std::string next = "C^" + std::to_string(verdict.continuity + 1);
+  if (verdict.box)
+    return "C^" + std::to_string(verdict.continuity) + " and not " + next + " because it is the box spline of " +
+           std::to_string(verdict.box->directions.size()) + " directions";
   std::string text;
   if (verdict.continuity >= 0)
     text = "C^" + std::to_string(verdict.continuity) + " because " + contraction_text(verdict.proof.back()) + "; ";
@@ -170,6 +219,12 @@ template Smoothness<1> smoothness(const Scheme&, const SmoothnessOptions&);
 template Smoothness<2> smoothness(const Scheme2&, const SmoothnessOptions&);
 template std::string explanation(const Smoothness<1>&, int);
 template std::string explanation(const Smoothness<2>&, int);
+template std::optional<BoxFactors<1>> box_factors(const Scheme&);
+template std::optional<BoxFactors<2>> box_factors(const Scheme2&);
+template int box_continuity<1>(const std::vector<Index<1>>&);
+template int box_continuity<2>(const std::vector<Index<2>>&);
+template bool has_box_factors<1>(const Mask<Rational>&, const std::vector<Index<1>>&);
+template bool has_box_factors<2>(const Mask2<Rational>&, const std::vector<Index<2>>&);
 template FixedPoint<1> fixed_point<1>(const std::vector<int>&, int);
 template FixedPoint<2> fixed_point<2>(const std::vector<int>&, int);
 template std::vector<FixedPoint<1>> grid_fixed_points<1>(int);

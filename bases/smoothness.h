@@ -10,9 +10,9 @@
 namespace batten {
 
 struct SmoothnessOptions {
-  int largest_power = 12;      ///< of ‖T^n‖ in one dimension
-  int largest_power_2d = 6;    ///< of ‖T^n‖ in two dimensions
-  int largest_continuity = 20; ///< m beyond which nothing is asked
+  int largest_power = 12;       ///< of ‖T^n‖ in one dimension
+  int largest_power_2d = 6;     ///< of ‖T^n‖ in two dimensions
+  int largest_continuity = 20;  ///< m beyond which nothing is asked
 };
 
 /// How smooth the limits of a scheme are, and why.
@@ -24,9 +24,11 @@ struct Smoothness {
   /// Why not C^(continuity + 1); nothing when that is undecided, or when a coset is to blame.
   std::optional<Roughness<D>> obstacle;
   std::optional<CosetDefect<D>> coset_defect;
+  /// Why C^continuity and no more, where differences and fixed points leave it open.
+  std::optional<BoxFactors<D>> box;
   int tried = 0;  ///< powers of the difference scheme that were tried for order continuity + 2
 
-  bool is_decided() const { return obstacle || coset_defect; }
+  bool is_decided() const { return obstacle || coset_defect || box; }
 };
 
 /// The verdict for a stationary scheme with a rational mask; throws InvalidInput for others.
@@ -39,6 +41,16 @@ Smoothness<D> smoothness(const SubdivisionScheme<D>& scheme, const SmoothnessOpt
 /// `C^1 because ‖T_2^2‖ = 3/4 < 1; not C^2 because ...`, or `... undecided up to n = 12`.
 template <int D>
 std::string explanation(const Smoothness<D>& verdict, int arity);
+
+/// The box spline that a scheme's structure() says it has, when the mask is its and converges.
+template <int D>
+std::optional<BoxFactors<D>> box_factors(const SubdivisionScheme<D>& scheme);
+/// m - k - 2, or m - 2 in one dimension; see BoxFactors.
+template <int D>
+int box_continuity(const std::vector<Index<D>>& directions);
+/// Whether the mask is that of the box spline of these directions, wherever it is put.
+template <int D>
+bool has_box_factors(const LaurentPolynomial<Rational, D>& s, const std::vector<Index<D>>& directions);
 
 /// The point x* whose digits a product of transition matrices follows.
 template <int D>

@@ -14,7 +14,7 @@ namespace batten {
 
 /// Differences of this order, scaled to derivatives of order - 1, shrink: ‖T^power‖ = norm < 1.
 ///
-/// One for each of the orders 1 .. m + 1 proves C^m [Dyn, Gregory & Levin 1991, th. 4.2; Warren & Weimer 2001, th. 3.5,
+/// One for each of the orders 1 .. m + 1 proves C^m [Dyn, Gregory & Levin 1991; Warren & Weimer 2001, th. 3.5,
 /// 3.9 and 3.11].
 template <int D>
 struct Contraction {
@@ -42,8 +42,19 @@ struct CosetDefect {
   Rational sum;
 };
 
-/// An upper bound of the joint spectral radius of the transition matrices A_e modulo polynomials of degree < order: they
-/// map a polytope P, the hull of ± its vertices, into radius · P. Then every product of n of them has norm at most
+/// The mask is x^shift 2^D ∏_d (1 + x^d)/2 over directions d, arity 2, and the data converge: the scaling function is
+/// the box spline of the directions. With k the largest number of directions on a line through 0, of m, it is
+/// C^(m-k-2), in one dimension (all on one) C^(m-2), no more, and has the Hölder exponent m-k-1 or m-1 [Warren & Weimer
+/// 2001, sec. 2.2.2; de Boor, Höllig & Riemenschneider 1993]. Needed where different data have the same
+/// limit, so that differences of the data tell less than those of limits.
+template <int D>
+struct BoxFactors {
+  std::vector<Index<D>> directions;
+  Contraction<D> convergence;  ///< of order 1
+};
+
+/// An upper bound of the joint spectral radius of the transition matrices A_e modulo polynomials of degree < order:
+/// they map a polytope P, the hull of ± its vertices, into radius · P. Then every product of n of them has norm at most
 /// radius^n in the norm with unit ball P [Guglielmi & Protasov 2013]. Limits are C^α for all
 /// α < min(order, -log(radius) / log arity); see transition_matrices.
 template <int D>

@@ -69,7 +69,7 @@ Rational falling_factorial(const Rational& c, int n) {
   return result;
 }
 
-/// Whether ∂^order s(1) = arity^D ∏_d τ_d (τ_d - 1) ... for all |order| = degree [Conti & Hormann 2011, th. 4.3].
+/// Whether ∂^order s(1) = arity^D ∏_d τ_d (τ_d - 1) ... for all |order| = degree [Conti & Hormann 2011].
 template <int D>
 bool reproduces_degree(const LaurentPolynomial<Rational, D>& s, const Coordinates<Rational, D>& tau, int degree,
                        int arity) {

@@ -25,7 +25,7 @@ struct PolynomialDegrees {
   int reproduced;
   /// The parameter shift τ/(arity - 1), τ_d = ∂_d s(1) / arity^D: 0 for schemes centred on an old point. With it linear
   /// functions are always reproduced when they are generated: data belong to i + shift
-  /// [Conti & Hormann 2011, th. 4.2].
+  /// [Conti & Hormann 2011].
   Coordinates<Rational, D> shift;
 };
 

@@ -25,13 +25,13 @@ bool holds_differences(const std::vector<Index<D>>& window, int order);
 template <int D>
 std::vector<Index<D>> transition_window(const LaurentPolynomial<Rational, D>& s, int arity, int order);
 
-/// The matrices A_e, e as in digits(), on data modulo polynomials of degree < order. They map polynomials to polynomials
-/// when s has sum rules of this order. Coordinates are the values of v less the polynomial that agrees with v at the
-/// first unisolvent indices of the window, at the others.
+/// The matrices A_e, e as in digits(), on data modulo polynomials of degree < order. They map polynomials to
+/// polynomials when s has sum rules of this order. Coordinates are the values of v less the polynomial that agrees with
+/// v at the first unisolvent indices of the window, at the others.
 ///
 /// Their joint spectral radius ρ gives the Hölder exponent: differences of the order after k rounds are at most
 /// C (ρ + ε)^k, so that limits are C^α for every α < min(order, -log ρ / log arity)
-/// [Daubechies & Lagarias 1992, th. 3.1; Rioul 1992, th. 6.1; Han & Jia 1998, th. 3.2].
+/// [Daubechies & Lagarias 1992; Rioul 1992; Han & Jia 1998].
 template <int D>
 std::vector<RationalMatrix> transition_matrices(const LaurentPolynomial<Rational, D>& s, int arity,
                                                 const std::vector<Index<D>>& window, int order);

@@ -67,14 +67,10 @@ void require_common_grid(const Factor<D>& n, const Factor<D>& other) {
                        other.scheme.name() + " than in " + n.scheme.name());
 }
 
-}  // namespace
-
+/// All integrals, by the refinement equation that they satisfy together.
 template <int D>
-TripleProducts<D>::TripleProducts(const Factor<D>& n, const Factor<D>& m, const Factor<D>& l) {
+Terms<2 * D> solved_products(const Factor<D>& n, const Factor<D>& m, const Factor<D>& l) {
   const int arity = n.scheme.arity();
-  require_common_grid(n, m);
-  require_common_grid(n, l);
-  for (const auto* factor : {&n, &m, &l}) require_affine_invariance(factor->scheme);
   const auto a = derivative_mask(n.scheme.exact_mask(), arity, n.derivative);
   const auto b = derivative_mask(m.scheme.exact_mask(), arity, m.derivative);
   const auto c = derivative_mask(l.scheme.exact_mask(), arity, l.derivative);
@@ -85,9 +81,53 @@ TripleProducts<D>::TripleProducts(const Factor<D>& n, const Factor<D>& m, const 
     throw InvalidInput(
         "TripleProducts: the integral of the product of these derivatives must exist, found that it does not for " +
         n.scheme.name() + ", " + m.scheme.name() + " and " + l.scheme.name());
-  terms_ = product<2 * D>(correlation(difference_mask<D>(a.differences), difference_mask<D>(b.differences),
-                                      difference_mask<D>(c.differences)),
-                          *values);
+  return product<2 * D>(correlation(difference_mask<D>(a.differences), difference_mask<D>(b.differences),
+                                    difference_mask<D>(c.differences)),
+                        *values);
+}
+
+/// The factors of n in x and in y where the mask is s[x, 1] s[1, y] / arity^2.
+std::optional<std::array<Factor<1>, 2>> separated(const Factor<2>& n) {
+  const auto& s = n.scheme.exact_mask();
+  const int arity = n.scheme.arity();
+  std::array<std::vector<Rational>, 2> sums;
+  for (std::size_t d = 0; d < 2; ++d) sums[d].resize(static_cast<std::size_t>(s.size()[d]));
+  const std::size_t row = sums[0].size();
+  for (std::size_t k = 0; k < s.coefficients().size(); ++k) {
+    sums[0][k % row] += s.coefficients()[k] / arity;
+    sums[1][k / row] += s.coefficients()[k] / arity;
+  }
+  const Mask<Rational> x(s.first()[0], sums[0], s.half()[0]), y(s.first()[1], sums[1], s.half()[1]);
+  if (tensor_product(x, y) != s) return std::nullopt;
+  return std::array{Factor<1>{{n.scheme.name(), x, arity}, {n.derivative[0]}},
+                    Factor<1>{{n.scheme.name(), y, arity}, {n.derivative[1]}}};
+}
+
+/// Products of integrals in x and in y, where all three functions are such products.
+std::optional<Terms<4>> separated_products(const Factor<2>& n, const Factor<2>& m, const Factor<2>& l) {
+  const auto a = separated(n), b = separated(m), c = separated(l);
+  if (!a || !b || !c) return std::nullopt;
+  Terms<4> result;
+  const auto in_y = solved_products((*a)[1], (*b)[1], (*c)[1]);
+  for (const auto& [x, of_x] : solved_products((*a)[0], (*b)[0], (*c)[0]))
+    for (const auto& [y, of_y] : in_y) result.emplace(Index<4>{x[0], y[0], x[1], y[1]}, of_x * of_y);
+  return result;
+}
+
+}  // namespace
+
+template <int D>
+TripleProducts<D>::TripleProducts(const Factor<D>& n, const Factor<D>& m, const Factor<D>& l) {
+  require_common_grid(n, m);
+  require_common_grid(n, l);
+  for (const auto* factor : {&n, &m, &l}) require_affine_invariance(factor->scheme);
+  if constexpr (D == 2) {
+    if (auto products = separated_products(n, m, l)) {
+      terms_ = std::move(*products);
+      return;
+    }
+  }
+  terms_ = solved_products(n, m, l);
 }
 
 template <int D>

@@ -16,6 +16,7 @@ namespace {
 constexpr std::array<std::array<std::uint8_t, 3>, 7> palette = {
     {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {230, 159, 0}, {90, 90, 90}}};
 constexpr double line_width = 2.5, dot_width = 8;
+constexpr double shortest_piece = 2;  // pixels: the renderer breaks lines of shorter pieces
 
 void check(std::span<const ChartLine> lines, const ChartOptions& options) {
   for (const int size : {options.width, options.height})
@@ -70,12 +71,20 @@ struct Frame {
   }
 };
 
+std::vector<Pixel> without_short_pieces(const std::vector<Pixel>& run) {
+  std::vector<Pixel> kept = {run.front()};
+  for (const Pixel& place : run)
+    if (std::hypot(place[0] - kept.back()[0], place[1] - kept.back()[1]) >= shortest_piece) kept.push_back(place);
+  if (kept.back() != run.back()) kept.push_back(run.back());
+  return kept;
+}
+
 void draw_line(PlotOverlay& overlay, const Frame& frame, const ChartLine& line, std::size_t number) {
   const CurveSamples& curve = line.curve;
   const std::size_t count = curve.x.size() + (curve.closed && !curve.x.empty() ? 1 : 0);
   std::vector<Pixel> run, dots;
   const auto finish = [&] {
-    if (run.size() > 1) overlay.add_line(run, style_of(number, line_width));
+    if (run.size() > 1) overlay.add_line(without_short_pieces(run), style_of(number, line_width));
     run.clear();
   };
   for (std::size_t k = 0; k < count; ++k) {

@@ -134,11 +134,14 @@ TEST(InnerProducts, exist_for_schemes_that_no_polynomial_describes) {
 }
 
 TEST(InnerProducts, of_eight_directions_are_found) {
-  const auto n = box_spline_by_hand({{1, 0}, {1, 0}, {0, 1}, {0, 1}, {1, 1}, {1, 1}, {-1, 1}, {-1, 1}});
-  const auto bending = inner_products<2>({n, {2, 0}}, {n, {2, 0}});
-  EXPECT_EQ(sum(bending), 0);
-  EXPECT_EQ(reflected(bending), bending);
-  EXPECT_EQ(sum(values_at_integers(n)), 1);
+  for (const auto& n : {box_spline_by_hand({{1, 0}, {1, 0}, {0, 1}, {0, 1}, {1, 1}, {1, 1}, {-1, 1}, {-1, 1}}),
+                        box_spline_by_hand({{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 1}, {1, 2}, {-2, 1}, {-1, 2}})}) {
+    const auto bending = inner_products<2>({n, {2, 0}}, {n, {2, 0}});
+    EXPECT_EQ(sum(bending), 0);
+    EXPECT_EQ(reflected(bending), bending);
+    EXPECT_EQ(bending, inner_products<2>({n, {4, 0}}, {n}));
+    EXPECT_EQ(sum(values_at_integers(n)), 1);
+  }
 }
 
 TEST(InnerProducts, of_schemes_with_half_shifts_are_those_of_the_shifted_functions) {

@@ -97,6 +97,18 @@ TEST(ScalingValues, of_derivatives_that_do_not_exist_are_refused) {
               ThrowsMessage<InvalidInput>(HasSubstr("must not be negative, found -1")));
 }
 
+TEST(ScalingValues, of_box_splines_that_are_only_continuous_have_no_derivative) {
+  for (const auto& n :
+       {box_spline_by_hand({{1, 0}, {0, 1}, {1, 1}}), box_spline_by_hand({{1, 0}, {0, 1}, {1, 1}, {1, 1}})})
+    for (const Index<2>& r : {Index<2>{1, 0}, {0, 1}}) {
+      EXPECT_EQ(sum(values_at_integers(n)), 1);
+      EXPECT_THAT([&] { return values_at_integers(n, r); },
+                  ThrowsMessage<InvalidInput>(HasSubstr("box-spline is not so smooth: no derivative of order")));
+    }
+  EXPECT_NO_THROW(values_at_integers(zwart_powell_by_hand(), {1, 0}));
+  EXPECT_THROW(values_at_integers(zwart_powell_by_hand(), {1, 1}), InvalidInput);
+}
+
 TEST(ScalingValues, of_the_ternary_four_point_scheme_have_two_derivatives) {
   // w = 1/11, C^2; it reproduces quadratics: Σ_i i^2 n''(-i) = 2 and Σ_i i n'(-i) = 1
   const Q w(1, 11), a = Q(-1, 18) - w / 6, b = Q(13, 18) + w / 2, c = Q(7, 18) - w / 2, d = Q(-1, 18) + w / 6;

@@ -102,6 +102,16 @@ TEST(TripleProducts, on_the_plane_of_tensor_products_are_products) {
       EXPECT_EQ(t(i, j), x({i[0]}, {j[0]}) * y({i[1]}, {j[1]}));
 }
 
+TEST(TripleProducts, on_the_plane_agree_on_tensor_products_and_other_schemes) {
+  // 1 = Σ_j hat(. - j) on both sides: ∫ f g = Σ_j ∫ f g hat(. - j), f g of tensor products, hat of three directions
+  const Scheme2 quadratic("quadratic",
+                          tensor_product(b_spline_by_hand(3).exact_mask(), b_spline_by_hand(3).exact_mask()));
+  const auto hat = box_spline_by_hand({{1, 0}, {0, 1}, {1, 1}});
+  const Factor<2> f{quadratic, {1, 0}}, g{quadratic, {0, 1}};
+  EXPECT_EQ(summed_over_j(TripleProducts<2>(f, g, {hat})), inner_products<2>(f, g));
+  EXPECT_EQ(summed_over_j(TripleProducts<2>(f, g, {quadratic})), inner_products<2>(f, g));
+}
+
 TEST(TripleProducts, of_three_direction_hats_are_those_of_triangles) {
   // ∫ λ_1^a λ_2^b λ_3^c over a triangle of area 1/2: a! b! c! / (a + b + c + 2)!; six triangles around a vertex, two at
   // an edge
