@@ -87,7 +87,7 @@ Smoothness<D> verdict_from_mask(const LaurentPolynomial<Rational, D>& s, int ari
   if (verdict.coset_defect) return verdict;
   const int sum_rules = sum_rule_order(s, arity);
   for (int m = 0; m <= options.largest_continuity; ++m) {
-    verdict.obstacle = obstacle_to(m, s, arity, sum_rules);
+    if (options.seek_obstacles) verdict.obstacle = obstacle_to(m, s, arity, sum_rules);
     if (verdict.obstacle || m >= sum_rules) return verdict;
     auto proof = contraction_of(m + 1, s, arity, most);
     verdict.tried = most;

@@ -13,6 +13,9 @@ struct SmoothnessOptions {
   int largest_power = 12;       ///< of ‖T^n‖ in one dimension
   int largest_power_2d = 6;     ///< of ‖T^n‖ in two dimensions
   int largest_continuity = 20;  ///< m beyond which nothing is asked
+  /// Without it only proofs are looked for: obstacles of a mask of N x N take exact characteristic polynomials of about
+  /// N² rows, a minute for N = 9.
+  bool seek_obstacles = true;
 };
 
 /// How smooth the limits of a scheme are, and why.
