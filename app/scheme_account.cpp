@@ -10,6 +10,8 @@
 #include <batten/bases/sum_rules.h>
 #include <batten/domains/errors.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -208,8 +210,8 @@ Json account_of(const SubdivisionScheme<D>& scheme, const SchemeArguments& argum
 
 }  // namespace
 
-Json scheme_account(const AnyScheme& scheme, const SchemeArguments& arguments) {
-  return std::visit([&](const auto& s) { return account_of(s, arguments); }, scheme);
+std::string scheme_account(const AnyScheme& scheme, const SchemeArguments& arguments) {
+  return std::visit([&](const auto& s) { return account_of(s, arguments).dump(2); }, scheme);
 }
 
 std::string mask_text(const AnyScheme& scheme, const SchemeArguments& arguments) {

@@ -53,7 +53,8 @@ TEST(SchemeCommand, tells_everything_of_the_four_point_scheme) {  // [Warren & W
             json::parse(R"(["1/665280","4/10395","-481/73920","731/6930","-3659/5280","0","3659/5280","-731/6930",
                             "481/73920","-4/10395","-1/665280"])"));
   EXPECT_EQ(found["smoothness"]["continuity"], 1);
-  EXPECT_THAT(found["smoothness"]["certificate"], testing::StartsWith("C^1 because ‖T_2^2‖ = 3/4 < 1; not C^2 because"));
+  EXPECT_THAT(found["smoothness"]["certificate"],
+              testing::StartsWith("C^1 because ‖T_2^2‖ = 3/4 < 1; not C^2 because"));
   EXPECT_LE(found["smoothness"]["hoelder_lower"].get<double>(), 2);
   EXPECT_GE(found["smoothness"]["hoelder_upper"].get<double>(), 2);
 }
