@@ -80,6 +80,11 @@ TEST(SchemeCommand, answers_only_what_is_asked) {
   EXPECT_EQ(finer["values"]["coefficients"], json::parse(R"(["1/2","1","1/2"])"));
 }
 
+TEST(SchemeCommand, gives_splines_that_jump_their_values_from_the_right) {
+  EXPECT_EQ(account({"bspline", "--order", "1"})["values"]["coefficients"], json::parse(R"(["1"])"));
+  EXPECT_EQ(account({"box", "--directions", "1,0;0,1"})["values"]["coefficients"], json::parse(R"([["1"]])"));
+}
+
 TEST(SchemeCommand, knows_every_name_of_its_help) {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"exponential", "--roots", "0,0,1,-1", "--level", "2"},
