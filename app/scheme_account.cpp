@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/scheme_account.h>
 #include <batten/app/usage_error.h>
+#include <batten/bases/box_spline.h>
 #include <batten/bases/hoelder.h>
 #include <batten/bases/inner_products.h>
 #include <batten/bases/mask_text.h>
@@ -9,6 +10,8 @@
 #include <batten/bases/smoothness.h>
 #include <batten/bases/sum_rules.h>
 #include <batten/domains/errors.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -157,6 +160,13 @@ void require_convergence(const SubdivisionScheme<D>& scheme, const Smoothness<D>
                      " does not converge to continuous limits: " + explanation(verdict, scheme.arity()));
 }
 
+/// Splines that jump have values from the right, others the same from both sides.
+template <int D>
+Limit limit_of(const SubdivisionScheme<D>& scheme) {
+  const auto& directions = scheme.structure().directions;
+  return !directions.empty() && box_continuity(directions) < 0 ? Limit::FromRight : Limit::TwoSided;
+}
+
 template <int D>
 void add_exact(const SubdivisionScheme<D>& scheme, const SchemeArguments& arguments, Json& json) {
   const Questions<D> asked(arguments);
@@ -169,10 +179,11 @@ void add_exact(const SubdivisionScheme<D>& scheme, const SchemeArguments& argume
   if (asked.smoothness || (needs_limits && scheme.structure().directions.empty())) verdict = smoothness(scheme);
   if (needs_limits && verdict) require_convergence(scheme, *verdict);
 
-  if (asked.values) json["values"] = polynomial_json(values_at_level(scheme, arguments.level));
+  const Limit limit = limit_of(scheme);
+  if (asked.values) json["values"] = polynomial_json(values_at_level(scheme, arguments.level, {}, limit));
   for (const auto& order : asked.derivatives) {
-    const auto values =
-        found(asked.everything, [&] { return polynomial_json(values_at_level(scheme, arguments.level, order)); });
+    const auto values = found(asked.everything,
+                              [&] { return polynomial_json(values_at_level(scheme, arguments.level, order, limit)); });
     if (values) json["derivatives"][key_of<D>(order)] = *values;
   }
   for (const auto& orders : asked.inner_products) {
@@ -208,8 +219,8 @@ Json account_of(const SubdivisionScheme<D>& scheme, const SchemeArguments& argum
 
 }  // namespace
 
-Json scheme_account(const AnyScheme& scheme, const SchemeArguments& arguments) {
-  return std::visit([&](const auto& s) { return account_of(s, arguments); }, scheme);
+std::string scheme_account(const AnyScheme& scheme, const SchemeArguments& arguments) {
+  return std::visit([&](const auto& s) { return account_of(s, arguments).dump(2); }, scheme);
 }
 
 std::string mask_text(const AnyScheme& scheme, const SchemeArguments& arguments) {

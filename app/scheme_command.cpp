@@ -44,10 +44,10 @@ void run_scheme(const SchemeArguments& arguments) {
   set_thread_count(arguments.threads);
   const AnyScheme scheme = scheme_of(arguments);
   check_scheme_outputs(scheme, arguments);
-  const auto account = scheme_account(scheme, arguments);
+  const std::string account = scheme_account(scheme, arguments);
   write_scheme_outputs(scheme, arguments);
   if (arguments.json)
-    std::cout << account.dump(2) << '\n';
+    std::cout << account << '\n';
   else if (!arguments.quiet)
     std::cout << scheme_table(account, mask_text(scheme, arguments));
 }

@@ -2,6 +2,8 @@
 #include <batten/app/number_text.h>
 #include <batten/app/scheme_account.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <sstream>
 
@@ -59,9 +61,10 @@ void write_entry(std::ostream& out, const std::string& name, const Json& value) 
 
 }  // namespace
 
-std::string scheme_table(const Json& account, const std::string& mask) {
+std::string scheme_table(const std::string& account, const std::string& mask) {
   std::ostringstream out;
-  for (const auto& [key, value] : account.items()) {
+  const Json json = Json::parse(account);
+  for (const auto& [key, value] : json.items()) {
     if (key == "mask")
       write_line(out, key, mask);
     else

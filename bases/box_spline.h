@@ -32,6 +32,8 @@ Mask2<Rational> box_difference_mask(const Directions& directions);
 /// α - 2 where n is C^(α-2), -1 when it has jumps: α is the size of the smallest part of Σ without which the rest does
 /// not span, m less the largest number of parallel directions [Warren & Weimer 2001, sec. 2.2.2].
 int box_continuity(const Directions& directions);
+/// The same on the line, where box splines of m directions are B-splines of order m: m - 2.
+inline int box_continuity(const std::vector<Index<1>>& directions) { return static_cast<int>(directions.size()) - 2; }
 
 /// The corners of the support, the zonogon { Σ t_i (a_i, b_i), 0 <= t_i <= 1 }, counter-clockwise from the lowest (of
 /// these the leftmost).

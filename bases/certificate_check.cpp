@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/box_spline.h>
 #include <batten/bases/certificate_check.h>
 #include <batten/bases/difference_scheme.h>
 #include <batten/bases/mask_values.h>
@@ -155,7 +156,7 @@ std::string fault_of(const Smoothness<D>& verdict, const LaurentPolynomial<Ratio
   if (verdict.box) {
     const std::string fault = fault_of(*verdict.box, s, arity);
     if (!fault.empty()) return "box spline: " + fault;
-    return verdict.continuity == box_continuity<D>(verdict.box->directions) ? "" : "the box spline is not so smooth";
+    return verdict.continuity == box_continuity(verdict.box->directions) ? "" : "the box spline is not so smooth";
   }
   if (verdict.continuity < -1 || verdict.proof.size() != static_cast<std::size_t>(verdict.continuity + 1))
     return "each order up to " + std::to_string(verdict.continuity + 1) + " needs its contraction";
@@ -178,7 +179,7 @@ std::string fault_of(const HoelderBounds<D>& bounds, const LaurentPolynomial<Rat
   if (bounds.box) {
     const std::string fault = fault_of(*bounds.box, s, arity);
     if (!fault.empty()) return "box spline: " + fault;
-    const double exponent = box_continuity<D>(bounds.box->directions) + 1;
+    const double exponent = box_continuity(bounds.box->directions) + 1;
     return bounds.lower <= exponent && exponent <= bounds.upper ? "" : "the box spline has another exponent";
   }
   if (bounds.lower_proof.radius >= 1) return "the polytope does not prove convergence";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/box_spline.h>
 #include <batten/bases/difference_scheme.h>
 #include <batten/bases/hoelder.h>
 #include <batten/bases/invariant_polytope.h>
@@ -92,7 +93,7 @@ HoelderBounds<D> hoelder_bounds(const SubdivisionScheme<D>& scheme, const Hoelde
   const int arity = scheme.arity();
   const auto s = without_half_shift(scheme.exact_mask());
   if (auto box = box_factors(scheme)) {
-    const double exponent = box_continuity<D>(box->directions) + 1;
+    const double exponent = box_continuity(box->directions) + 1;
     return {exponent, exponent, {}, {}, std::move(box)};
   }
   const int order = sum_rule_order(s, arity);

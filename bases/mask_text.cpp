@@ -159,4 +159,15 @@ template std::string to_string(const Mask2<Rational>&);
 template std::string to_string(const Mask<double>&);
 template std::string to_string(const Mask2<double>&);
 
+template <>
+std::string index_text<1>(const Index<1>& i) {
+  return std::to_string(i[0]);
+}
+
+template <>
+std::string index_text<2>(const Index<2>& i) {
+  std::string text = "(";
+  return text.append(std::to_string(i[0])).append(", ").append(std::to_string(i[1])).append(")");
+}
+
 }  // namespace batten

@@ -15,6 +15,10 @@ namespace batten {
 template <Coefficient T, int D>
 std::string to_string(const LaurentPolynomial<T, D>& s);
 
+/// An index as a person writes it: `3`, or `(3, -1)`.
+template <int D>
+std::string index_text(const Index<D>& i);
+
 /// Writes to_string(s): failed tests show masks as a person reads them.
 template <Coefficient T, int D>
 std::ostream& operator<<(std::ostream& out, const LaurentPolynomial<T, D>& s) {

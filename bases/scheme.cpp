@@ -51,14 +51,6 @@ bool keeps_old_points(const LaurentPolynomial<T, D>& mask, int arity) {
                      [](const T& c) { return agrees<T>(c, T(0), T(1)); });
 }
 
-template <int D>
-std::string index_text(const Index<D>& i) {
-  if constexpr (D == 1)
-    return std::to_string(i[0]);
-  else
-    return "(" + std::to_string(i[0]) + ", " + std::to_string(i[1]) + ")";
-}
-
 template <Coefficient T, int D>
 void require_cosets_sum_to_one(const std::string& name, const LaurentPolynomial<T, D>& mask, int arity) {
   for (int k = 0; k < grid_factor<D>(arity); ++k) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/box_spline.h>
 #include <batten/bases/difference_scheme.h>
 #include <batten/bases/index_box.h>
 #include <batten/bases/leading_products.h>
+#include <batten/bases/mask_text.h>
 #include <batten/bases/mask_values.h>
 #include <batten/bases/matrix_difference_scheme.h>
 #include <batten/bases/smoothness.h>
@@ -100,14 +102,6 @@ Smoothness<D> verdict_from_mask(const LaurentPolynomial<Rational, D>& s, int ari
 }
 
 template <int D>
-std::string index_text(const Index<D>& i) {
-  if constexpr (D == 1)
-    return std::to_string(i[0]);
-  else
-    return "(" + std::to_string(i[0]) + ", " + std::to_string(i[1]) + ")";
-}
-
-template <int D>
 std::string contraction_text(const Contraction<D>& proof) {
   const std::string rounds = proof.steps > 1 ? " of " + std::to_string(proof.steps) + " rounds" : "";
   const std::string power = proof.power > 1 ? "^" + std::to_string(proof.power) : "";
@@ -161,20 +155,6 @@ bool has_box_factors(const LaurentPolynomial<Rational, D>& s, const std::vector<
 }
 
 template <int D>
-int box_continuity(const std::vector<Index<D>>& directions) {
-  const int all = static_cast<int>(directions.size());
-  if constexpr (D == 1) {
-    return all - 2;
-  } else {
-    long most = 0;
-    for (const Index<2>& a : directions)
-      most = std::max<long>(most, std::count_if(directions.begin(), directions.end(),
-                                                [&](const Index<2>& b) { return a[0] * b[1] == a[1] * b[0]; }));
-    return all - static_cast<int>(most) - 2;
-  }
-}
-
-template <int D>
 std::optional<BoxFactors<D>> box_factors(const SubdivisionScheme<D>& scheme) {
   const auto& directions = scheme.structure().directions;
   const auto& s = scheme.exact_mask();
@@ -190,7 +170,7 @@ Smoothness<D> smoothness(const SubdivisionScheme<D>& scheme, const SmoothnessOpt
   auto verdict = verdict_from_mask(without_half_shift(scheme.exact_mask()), scheme.arity(), options);
   if (verdict.is_decided()) return verdict;
   verdict.box = box_factors(scheme);
-  if (verdict.box) verdict.continuity = box_continuity<D>(verdict.box->directions);
+  if (verdict.box) verdict.continuity = box_continuity(verdict.box->directions);
   return verdict;
 }
 
@@ -221,8 +201,6 @@ template std::string explanation(const Smoothness<1>&, int);
 template std::string explanation(const Smoothness<2>&, int);
 template std::optional<BoxFactors<1>> box_factors(const Scheme&);
 template std::optional<BoxFactors<2>> box_factors(const Scheme2&);
-template int box_continuity<1>(const std::vector<Index<1>>&);
-template int box_continuity<2>(const std::vector<Index<2>>&);
 template bool has_box_factors<1>(const Mask<Rational>&, const std::vector<Index<1>>&);
 template bool has_box_factors<2>(const Mask2<Rational>&, const std::vector<Index<2>>&);
 template FixedPoint<1> fixed_point<1>(const std::vector<int>&, int);

@@ -48,9 +48,6 @@ std::string explanation(const Smoothness<D>& verdict, int arity);
 /// The box spline that a scheme's structure() says it has, when the mask is its and converges.
 template <int D>
 std::optional<BoxFactors<D>> box_factors(const SubdivisionScheme<D>& scheme);
-/// m - k - 2, or m - 2 in one dimension; see BoxFactors.
-template <int D>
-int box_continuity(const std::vector<Index<D>>& directions);
 /// Whether the mask is that of the box spline of these directions, wherever it is put.
 template <int D>
 bool has_box_factors(const LaurentPolynomial<Rational, D>& s, const std::vector<Index<D>>& directions);

@@ -53,7 +53,8 @@ TEST(SchemeCommand, tells_everything_of_the_four_point_scheme) {  // [Warren & W
             json::parse(R"(["1/665280","4/10395","-481/73920","731/6930","-3659/5280","0","3659/5280","-731/6930",
                             "481/73920","-4/10395","-1/665280"])"));
   EXPECT_EQ(found["smoothness"]["continuity"], 1);
-  EXPECT_THAT(found["smoothness"]["certificate"], testing::StartsWith("C^1 because ‖T_2^2‖ = 3/4 < 1; not C^2 because"));
+  EXPECT_THAT(found["smoothness"]["certificate"],
+              testing::StartsWith("C^1 because ‖T_2^2‖ = 3/4 < 1; not C^2 because"));
   EXPECT_LE(found["smoothness"]["hoelder_lower"].get<double>(), 2);
   EXPECT_GE(found["smoothness"]["hoelder_upper"].get<double>(), 2);
 }
@@ -77,6 +78,11 @@ TEST(SchemeCommand, answers_only_what_is_asked) {
             json::parse(R"(["1/6","0","-3/2","8/3","-3/2","0","1/6"])"));  // (1, 0, -9, 16, ...) / 6
   const json finer = account({"bspline", "--order", "2", "--values", "--level", "1"});
   EXPECT_EQ(finer["values"]["coefficients"], json::parse(R"(["1/2","1","1/2"])"));
+}
+
+TEST(SchemeCommand, gives_splines_that_jump_their_values_from_the_right) {
+  EXPECT_EQ(account({"bspline", "--order", "1"})["values"]["coefficients"], json::parse(R"(["1"])"));
+  EXPECT_EQ(account({"box", "--directions", "1,0;0,1"})["values"]["coefficients"], json::parse(R"([["1"]])"));
 }
 
 TEST(SchemeCommand, knows_every_name_of_its_help) {
