@@ -21,8 +21,8 @@ double polyharmonic_green(int order, double x, double y);
 /// p + (m/16) Δp, not to p as the source supposes; for m = 1 to a function with a spike at every grid point. From
 /// degree 4 on it diverges, although the mask has zeros of order 2m.
 ///
-/// Absolute errors are below 1e-14; for r > 1.25 m relative ones are below 1e-13 (of |gradient|, and where n is not
-/// near its zeros).
+/// For r <= 1.25 m absolute errors are below 1e-14 (those of gradients next to a spike relative to them), beyond they
+/// are below 1e-14 r^-4, r^-5 and r^-6 times a small constant for value, gradient and Laplacian.
 class BellBasis {
 public:
   /// Throws InvalidInput unless 1 <= order <= 8.

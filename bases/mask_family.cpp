@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/mask_family.h>
+#include <batten/bases/mask_text.h>
 #include <batten/domains/errors.h>
 
 #include <algorithm>
@@ -37,8 +38,6 @@ bool is_inside(const Index<2>& i, int half, MaskShape shape) {
   return std::max(x, y) <= half;
 }
 
-std::string point_text(const Index<2>& at) { return "(" + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ")"; }
-
 Rational integer_power(int base, int n) {
   Rational result = 1;
   for (int k = 0; k < n; ++k) result *= base;
@@ -63,9 +62,9 @@ void append_zero(std::vector<NamedEquation>& all, const MaskFamily& family, cons
                  const std::string& name) {
   for (int degree = 0; degree < zero.order; ++degree)
     for (int b = 0; b <= degree; ++b)
-      all.push_back(
-          {name + ": the derivative " + point_text({degree - b, b}) + " at " + point_text(zero.at) + " must vanish",
-           moment(family, zero.at, {degree - b, b}, 0)});
+      all.push_back({name + ": the derivative " + index_text<2>({degree - b, b}) + " at " + index_text<2>(zero.at) +
+                         " must vanish",
+                     moment(family, zero.at, {degree - b, b}, 0)});
 }
 
 std::vector<NamedEquation> wanted_equations(const MaskFamily& family, const MaskConstraints& constraints) {
@@ -80,8 +79,9 @@ std::vector<NamedEquation> wanted_equations(const MaskFamily& family, const Mask
   }
   for (const PrescribedZero& zero : constraints.zeros) {
     if (std::abs(zero.at[0]) != 1 || std::abs(zero.at[1]) != 1)
-      throw InvalidInput("independent_equations: zeros must be prescribed at (±1, ±1), found " + point_text(zero.at));
-    append_zero(all, family, zero, "zero of order " + std::to_string(zero.order) + " at " + point_text(zero.at));
+      throw InvalidInput("independent_equations: zeros must be prescribed at (±1, ±1), found " +
+                         index_text<2>(zero.at));
+    append_zero(all, family, zero, "zero of order " + std::to_string(zero.order) + " at " + index_text<2>(zero.at));
   }
   return all;
 }

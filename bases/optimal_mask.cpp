@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/exact_linear_program.h>
+#include <batten/bases/index_box.h>
 #include <batten/bases/polyharmonic_scheme.h>
 #include <batten/domains/errors.h>
 
+#include <algorithm>
 #include <array>
 
 namespace batten {
@@ -15,8 +17,17 @@ struct ResidualEquations {
   std::vector<ExactEquation> equations;
 };
 
+/// Coefficient k of l[x,y] s[x,y] for the s of a family.
+std::vector<std::pair<int, Rational>> product_terms(const Mask2<Rational>& l, const MaskFamily& masks,
+                                                    const Index<2>& k) {
+  std::vector<std::pair<int, Rational>> terms;
+  for (const Index<2>& i : indices_of<2>({l.first(), l.last()}))
+    if (const auto unknown = masks.unknown_at({k[0] - i[0], k[1] - i[1]}); unknown && l[i] != 0)
+      terms.emplace_back(*unknown, l[i]);
+  return terms;
+}
+
 ResidualEquations residual_equations(int order, int size, const MaskConstraints& constraints) {
-  require_order("residual_equations", order);
   const auto l = power(five_point_laplacian(), order);
   const auto goal = residual(Mask2<Rational>{}, order);  // -4^(1-m) l^m[x²,y²]
   const int width = std::max(size + 2 * order, 4 * order + 1);
@@ -24,12 +35,7 @@ ResidualEquations residual_equations(int order, int size, const MaskConstraints&
       MaskFamily(size, constraints.symmetry, constraints.shape, 3), MaskFamily(width, constraints.symmetry), {}};
   for (int u = 0; u < result.residuals.unknowns(); ++u) {
     const Index<2> k = result.residuals.orbit(u).front();
-    ExactEquation equation{{}, -goal[k]};
-    for (int j = -order; j <= order; ++j)
-      for (int i = -order; i <= order; ++i)
-        if (const auto unknown = result.masks.unknown_at({k[0] - i, k[1] - j}); unknown && l[{i, j}] != 0)
-          equation.terms.emplace_back(*unknown, l[{i, j}]);
-    result.equations.push_back(std::move(equation));
+    result.equations.push_back({product_terms(l, result.masks, k), -goal[k]});
   }
   return result;
 }
@@ -93,6 +99,7 @@ std::vector<ExactEquation> normal_equations(const ResidualEquations& system,
 }  // namespace
 
 OptimalMask optimal_mask(int order, int size, const MaskConstraints& constraints) {
+  require_order("optimal_mask", order);
   const auto system = residual_equations(order, size, constraints);
   const auto found = optimum(minimax_program(system, independent_equations(system.masks, constraints)));
   const auto unknowns = static_cast<std::size_t>(system.masks.unknowns());
@@ -100,6 +107,7 @@ OptimalMask optimal_mask(int order, int size, const MaskConstraints& constraints
 }
 
 Mask2<Rational> least_squares_mask(int order, int size, const MaskConstraints& constraints) {
+  require_order("least_squares_mask", order);
   const auto system = residual_equations(order, size, constraints);
   const auto equations = normal_equations(system, independent_equations(system.masks, constraints));
   const auto solution = unique_solution(equations, static_cast<int>(equations.size()));

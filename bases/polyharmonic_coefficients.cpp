@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <numbers>
 #include <string>
-#include <vector>
+#include <utility>
 
 // Fix ω, u = sin²(ω/2), Y = y + 1/y. With P = 4u + 2 - Y, so that l = -P where x = e^(iω), long division by P leaves
 //   l[x²,y²] / l[x,y] = 4c - P - 32 u² / P,   2c = 4u + 2.

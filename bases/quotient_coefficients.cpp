@@ -11,8 +11,13 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <unsupported/Eigen/FFT>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace batten {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string>
 
 namespace batten {
 namespace {
@@ -16,25 +17,38 @@ constexpr double pi = std::numbers::pi;
 constexpr double zero_size = 1e-12;
 constexpr std::size_t most_zeros = 64;
 
+/// A function on the points 2π (i, j) / n.
+class GridFunction {
+public:
+  GridFunction(std::vector<double> values, int n) : values_(std::move(values)), n_(n) {}
+  double at(int i, int j) const { return values_[static_cast<std::size_t>(((i + n_) % n_) * n_ + (j + n_) % n_)]; }
+  /// No higher than the eight neighbours, and so low that a zero may be next to it.
+  bool is_valley(int i, int j) const {
+    for (int k = 0; k < 9; ++k)
+      if (at(i, j) > at(i + k / 3 - 1, j + k % 3 - 1)) return false;
+    return at(i, j) < 0.3;
+  }
+
+private:
+  std::vector<double> values_;
+  int n_;
+};
+
 /// |b| on the grid, in double: enough to tell valleys.
-std::vector<double> samples(const TorusQuotient& quotient, int n) {
+GridFunction samples(const TorusQuotient& quotient, int n) {
   std::vector<double> values;
-  for (int k = 0; k < n; ++k)
-    for (double value : quotient.denominators_on_line(2 * pi * k / n, n)) values.push_back(value);
-  return values;
+  for (int k = 0; k < n; ++k) {
+    const auto line = quotient.denominators_on_line(2 * pi * k / n, n);
+    values.insert(values.end(), line.begin(), line.end());
+  }
+  return {std::move(values), n};
 }
 
-/// Grid points no higher than their eight neighbours, and so low that a zero may be next to them.
-std::vector<Angles> valleys(const std::vector<double>& values, int n) {
+std::vector<Angles> valleys(const GridFunction& values, int n) {
   std::vector<Angles> found;
-  const auto at = [&](int i, int j) { return values[static_cast<std::size_t>(((i + n) % n) * n + (j + n) % n)]; };
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      bool lowest = at(i, j) < 0.3;
-      for (int di = -1; di <= 1 && lowest; ++di)
-        for (int dj = -1; dj <= 1; ++dj) lowest = lowest && at(i, j) <= at(i + di, j + dj);
-      if (lowest) found.push_back({2 * pi * i / n, 2 * pi * j / n});
-    }
+    for (int j = 0; j < n; ++j)
+      if (values.is_valley(i, j)) found.push_back({2 * pi * i / n, 2 * pi * j / n});
   return found;
 }
 
@@ -43,15 +57,13 @@ Angles descended(const TorusQuotient& quotient, Angles best, double step) {
   double least = quotient.relative_denominator(best[0], best[1]);
   while (step > 1e-16 && least > 0) {
     const Angles centre = best;
-    for (int i = -2; i <= 2; ++i)
-      for (int j = -2; j <= 2; ++j) {
-        const Angles next = {centre[0] + i * step, centre[1] + j * step};
-        const double value = quotient.relative_denominator(next[0], next[1]);
-        if (value < least) {
-          least = value;
-          best = next;
-        }
-      }
+    for (int k = 0; k < 25; ++k) {
+      const Angles next = {centre[0] + (k / 5 - 2) * step, centre[1] + (k % 5 - 2) * step};
+      const double value = quotient.relative_denominator(next[0], next[1]);
+      if (value >= least) continue;
+      least = value;
+      best = next;
+    }
     if (best == centre) step /= 2;
   }
   return best;

@@ -77,14 +77,22 @@ TEST(PolyharmonicCoefficient, of_order_one_agrees_with_the_exact_numbers) {
 }
 
 TEST(PolyharmonicCoefficient, far_out_follows_the_bell) {
-  // s = 4 - (m / 3)(3 + cos 4θ)(|ω|²/4)... : the part |ω|² cos(4θ) gives (m 4 · (-6/π)... ) cos(4φ) r^-4, as
-  // 4 (1 - (u² + v²)/(u + v))^m, u = sin²(ω/2) ~ ω²/4, has -m (ω⁴ + ω'⁴)/|ω|² = -(m/4) |ω|² (3 + cos 4θ), and |ω|²
-  // cos(4θ) is the transform of (24/π) cos(4φ) r^-4: s ~ -(6 m/π) cos(4φ) r^-4.
+  // On the torus s = 4 (1 - (u² + v²)/(u + v))^m, u = sin²(α/2), v = sin²(β/2), near 0 that is 4 - m (α⁴ + β⁴)/|ω|² =
+  // 4 - (m/4) |ω|² (3 + cos 4θ), and |ω|² cos 4θ is the transform of (24/π) cos(4φ) r^-4: s ~ -(6 m/π) cos(4φ) r^-4.
   for (int m : {1, 2, 3})
     for (auto [i, j] : {std::pair(10000, 0), {10000, 10000}, {6000, 8000}, {0, -3000}}) {
       const double r = std::hypot(i, j), leading = -6 * m / std::numbers::pi * std::cos(4 * std::atan2(j, i));
       EXPECT_NEAR(polyharmonic_coefficient(m, i, j) * std::pow(r, 4), leading, 200 * m / (r * r)) << m;
     }
+}
+
+TEST(PolyharmonicCoefficient, far_out_keeps_all_its_digits) {
+  // l s = 0 between neighbours that agree to three digits
+  const auto s = [](int x, int y) { return polyharmonic_coefficient(1, x, y); };
+  for (auto [i, j] : {std::pair(9999, 0), {7000, 7000}, {2500, 9000}}) {
+    const double l = s(i + 1, j) + s(i - 1, j) + s(i, j + 1) + s(i, j - 1) - 4 * s(i, j);
+    EXPECT_NEAR(l / s(i, j), 0, 8e-14) << i << ", " << j;
+  }
 }
 
 TEST(PolyharmonicCoefficient, of_higher_order_is_the_convolution_of_lower_ones) {

@@ -101,6 +101,8 @@ TEST(SourceLaws, confine_libraries_to_their_folders) {
   EXPECT_THAT(faults("fem/a.cpp", licence + "#include <vtkPoints.h>\n"), ElementsAre(HasSubstr("must not see VTK")));
   EXPECT_THAT(faults("app/a.cpp", licence + "#include <vtkPoints.h>\n"), ElementsAre(HasSubstr("must not see VTK")));
   EXPECT_THAT(faults("fem/a.cpp", licence + "#include <CGAL/K.h>\n"), ElementsAre(HasSubstr("must not see CGAL")));
+  EXPECT_THAT(faults("fem/a.cpp", licence + "#include <Clp_C_Interface.h>\n"),
+              ElementsAre(HasSubstr("must not see Clp")));
   EXPECT_THAT(faults("io/a.cpp", licence + "#include <suitesparse/cholmod.h>\n"),
               ElementsAre(HasSubstr("must not see SuiteSparse")));
 }
