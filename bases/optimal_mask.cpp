@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/exact_linear_program.h>
 #include <batten/bases/index_box.h>
-#include <batten/bases/polyharmonic_scheme.h>
+#include <batten/bases/optimal_mask.h>
 #include <batten/domains/errors.h>
 
 #include <algorithm>

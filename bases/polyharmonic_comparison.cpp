@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/bell_basis.h>
+#include <batten/bases/optimal_mask.h>
 #include <batten/bases/polyharmonic_comparison.h>
+#include <batten/bases/polyharmonic_scheme.h>
 #include <batten/domains/errors.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <batten/bases/polyharmonic_scheme.h>
+#include <batten/bases/mask_family.h>
 
 #include <optional>
 #include <span>

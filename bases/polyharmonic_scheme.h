@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <batten/bases/mask_family.h>
 #include <batten/bases/polyharmonic_residual.h>
 
 namespace batten {
 
 // Finite masks in place of the polyharmonic s_m = 4^(1-m) (l[x²,y²] / l[x,y])^m [Warren & Weimer 2001, sec. 5.2]. All
-// throw InvalidInput when the order is below 1, or the size even or below 3. Masks are centred on 0.
+// throw InvalidInput when the order is below 1, or the size even or below 3. Masks are centred on 0. Those that are
+// best in a norm of the residual are in optimal_mask.h.
 
 /// The coefficients |i|, |j| <= (size - 1) / 2 of the Laurent series [ibid., sec. 5.2.1]. They do not sum to 4, nor do
 /// the cosets to 1.
@@ -25,18 +25,5 @@ struct JacobiOptions {
 Mask2<Rational> jacobi_mask(int order, const JacobiOptions& options = {});
 /// The rounds that give a mask of this size. Throws InvalidInput that names the sizes next to it when there are none.
 int jacobi_rounds(int order, int size);
-
-/// A mask and the largest coset sum of its residual, with the dual certificate checked: no mask of the family has less.
-struct OptimalMask {
-  Mask2<Rational> mask;
-  Rational residual;
-};
-
-/// The mask whose residual_norm is least under the constraints, by linear programming [ibid., sec. 5.2.3], exact.
-/// Throws InvalidInput that names the first constraint that cannot be met.
-OptimalMask optimal_mask(int order, int size, const MaskConstraints& constraints = {});
-
-/// The mask for which the sum of the squares of all coefficients of the residual is least, exact. Throws as above.
-Mask2<Rational> least_squares_mask(int order, int size, const MaskConstraints& constraints = {});
 
 }  // namespace batten

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/optimal_mask.h>
 #include <batten/bases/polyharmonic_comparison.h>
+#include <batten/bases/polyharmonic_scheme.h>
 #include <batten/domains/errors.h>
 
 #include <gmock/gmock.h>

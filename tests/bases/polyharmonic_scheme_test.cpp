@@ -2,6 +2,7 @@
 #include <batten/bases/difference_scheme.h>
 #include <batten/bases/mask_text.h>
 #include <batten/bases/mask_values.h>
+#include <batten/bases/optimal_mask.h>
 #include <batten/bases/polyharmonic_scheme.h>
 #include <batten/bases/smoothness.h>
 #include <batten/bases/sum_rules.h>
