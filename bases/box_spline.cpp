@@ -15,7 +15,8 @@ int determinant(const Index<2>& a, const Index<2>& b) { return a[0] * b[1] - a[1
 
 std::string text_of(const Directions& directions) {
   std::string text;
-  for (const auto& [a, b] : directions) text += (text.empty() ? "" : ";") + std::to_string(a) + "," + std::to_string(b);
+  for (const auto& [a, b] : directions)
+    text.append(text.empty() ? "" : ";").append(std::to_string(a)).append(",").append(std::to_string(b));
   return "'" + text + "'";
 }
 
