@@ -48,7 +48,8 @@ void add_terms(int width, RowTerms terms, double factor, double* out, std::ptrdi
 
 /// Columns begin .. end - 1 meet all of their terms; the few at both ends lack some.
 void add_bounded(int width, RowTerms terms, double factor, double* out, int first, int columns) {
-  const int begin = std::min(columns, std::max(0, -first)), end = std::max(begin, columns - (first + width - 1));
+  const int begin = std::min(columns, std::max(0, -first));
+  const int end = std::clamp(columns - (first + width - 1), begin, columns);
   for (int i = 0; i < columns; ++i) {
     if (i == begin) i = end;  // the middle is left to the kernel
     for (int q = 0; q < width && i < columns; ++q)
