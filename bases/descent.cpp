@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/descent.h>
+#include <batten/bases/index_box.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,6 @@ namespace batten {
 namespace {
 
 constexpr std::size_t most_rows = 200'000;
-
-/// floor(a / b), b > 0.
-int floor_quotient(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
 /// Calls work(place, index) for the window, x fastest.
 template <int D, std::invocable<std::size_t, const Index<D>&> Work>

@@ -4,12 +4,26 @@
 #include <batten/bases/mask.h>
 
 #include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace batten {
 
 /// floor(a / b), b > 0.
-inline int floor_quotient(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+template <std::signed_integral T>
+T floor_quotient(T a, std::type_identity_t<T> b) {
+  return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
+
+/// i - j.
+template <std::size_t N>
+std::array<int, N> difference(std::array<int, N> i, const std::array<int, N>& j) {
+  for (std::size_t d = 0; d < N; ++d) i[d] -= j[d];
+  return i;
+}
 
 /// The indices first .. last in each direction; empty where last < first.
 template <int D>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/index_box.h>
 #include <batten/bases/mask.h>
 #include <batten/domains/errors.h>
 
@@ -61,9 +62,6 @@ std::string shift_text(const Index<D>& half) {
 void require(bool holds, const char* what, const std::string& found) {
   if (!holds) throw InvalidInput(std::string(what) + ", found " + found);
 }
-
-/// floor(a / b), b > 0.
-int floor_quotient(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
 }  // namespace
 

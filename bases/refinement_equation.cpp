@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/index_box.h>
 #include <batten/bases/rational_elimination.h>
 #include <batten/bases/refinement_equation.h>
 #include <batten/domains/errors.h>
@@ -46,9 +47,6 @@ struct IntegerBox {
     return i;
   }
 };
-
-/// floor(a / b), b > 0.
-int floor_quotient(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
 /// The integer points of the smallest box around the support, without its upper faces for limits from the right.
 template <int E>

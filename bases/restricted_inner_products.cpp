@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/index_box.h>
 #include <batten/bases/restricted_inner_products.h>
 #include <batten/domains/errors.h>
 
@@ -14,13 +15,6 @@ template <int D>
 Index<D> negated(const Index<D>& i) {
   Index<D> result{};
   for (std::size_t d = 0; d < D; ++d) result[d] = -i[d];
-  return result;
-}
-
-template <int D>
-Index<D> difference(const Index<D>& i, const Index<D>& j) {
-  Index<D> result = i;
-  for (std::size_t d = 0; d < D; ++d) result[d] -= j[d];
   return result;
 }
 
@@ -59,7 +53,7 @@ template <int D>
 std::vector<Index<D>> shifts_that_meet(const std::vector<Index<D>>& domain, const std::vector<Index<D>>& support) {
   std::set<Index<D>, FastestFirst<D>> shifts;
   for (const auto& cell : domain)
-    for (const auto& of_n : support) shifts.insert(difference<D>(cell, of_n));
+    for (const auto& of_n : support) shifts.insert(difference(cell, of_n));
   return {shifts.begin(), shifts.end()};
 }
 
@@ -92,7 +86,7 @@ std::vector<Index<D>> support_cells(const SubdivisionScheme<D>& scheme) {
   }
   std::vector<Index<D>> cells;
   for (const auto& offset : domain_cells<D>(size)) {
-    const auto cell = difference<D>(offset, negated<D>(lower));
+    const auto cell = difference(offset, negated<D>(lower));
     if (squares(cell, cell) != 0) cells.push_back(cell);
   }
   return cells;
@@ -109,7 +103,7 @@ RestrictedProducts<D> restricted_inner_products(const Factor<D>& n, const Factor
   for (const auto& cell : domain)
     for (const auto& a : of_n)
       for (const auto& b : of_m)
-        result.E[rows.at(difference<D>(cell, a))][columns.at(difference<D>(cell, b))] += products(a, b);
+        result.E[rows.at(difference(cell, a))][columns.at(difference(cell, b))] += products(a, b);
   return result;
 }
 

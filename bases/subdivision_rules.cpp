@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/index_box.h>
 #include <batten/bases/subdivision_rules.h>
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace batten {
 namespace {
-
-std::ptrdiff_t floor_quotient(std::ptrdiff_t a, std::ptrdiff_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
 int residue(int e, int arity) { return static_cast<int>(e - arity * floor_quotient(e, arity)); }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/derivative_mask.h>
+#include <batten/bases/index_box.h>
 #include <batten/bases/triple_products.h>
 #include <batten/domains/errors.h>
 
@@ -18,13 +19,6 @@ Index<2 * D> joined(const Index<D>& i, const Index<D>& j) {
   return both;
 }
 
-template <int D>
-Index<D> difference(const Index<D>& i, const Index<D>& j) {
-  Index<D> result = i;
-  for (std::size_t d = 0; d < D; ++d) result[d] -= j[d];
-  return result;
-}
-
 /// Σ_pqw a[p] b[q] c[w] x^(p - q) y^(p - w)
 template <int D>
 Terms<2 * D> correlation(const LaurentPolynomial<Rational, D>& a, const LaurentPolynomial<Rational, D>& b,
@@ -34,7 +28,7 @@ Terms<2 * D> correlation(const LaurentPolynomial<Rational, D>& a, const LaurentP
   for (const auto& [p, x] : terms_of(a))
     for (const auto& [q, y] : b_terms) {
       const Rational xy = x * y;
-      for (const auto& [w, z] : c_terms) result[joined<D>(difference<D>(p, q), difference<D>(p, w))] += xy * z;
+      for (const auto& [w, z] : c_terms) result[joined<D>(difference(p, q), difference(p, w))] += xy * z;
     }
   std::erase_if(result, [](const auto& term) { return term.second == 0; });
   return result;

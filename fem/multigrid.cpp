@@ -38,7 +38,7 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
   if (!(lambda > 0)) throw InvalidInput("Multigrid::set: expected lambda > 0, found " + std::to_string(lambda));
   if (lambda == lambda_ && std::equal(weights.begin(), weights.end(), data().weights().begin(), data().weights().end()))
     return;
-  lambda_ = lambda;
+  lambda_ = 0;  // until all levels are set: a factorisation may fail
   std::vector<double> w(weights.begin(), weights.end());
   const auto soften = [&](const Smoother& level) {
     const auto give = level.compliance();
@@ -63,6 +63,7 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
   null_projection_.reset();
   if (lambda > very_large_lambda)
     null_projection_.emplace(finest.level().space, data(), hierarchy_->energy().null_degree());
+  lambda_ = lambda;
 }
 
 void Multigrid::factor_coarsest() {
