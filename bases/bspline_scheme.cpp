@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/bspline_scheme.h>
+#include <batten/bases/derivative_mask.h>
 #include <batten/domains/errors.h>
 
 #include <cmath>
@@ -19,12 +20,6 @@ Rational factorial(int n) {
   Integer product = 1;
   for (int k = 2; k <= n; ++k) product *= k;
   return Rational(product);
-}
-
-Rational integer_power(const Rational& x, int n) {
-  Rational result = 1;
-  for (int k = 0; k < n; ++k) result *= x;
-  return result;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/convergence_bound.h>
+#include <batten/bases/derivative_mask.h>
 #include <batten/bases/difference_scheme.h>
 #include <batten/bases/mask_division.h>
 #include <batten/bases/mask_values.h>
@@ -38,19 +39,13 @@ Rational least_deviation(const Mask2<Rational>& s, int arity) {
   return most;
 }
 
-Rational power_of(const Rational& x, int n) {
-  Rational result = 1;
-  for (int k = 0; k < n; ++k) result *= x;
-  return result;
-}
-
 }  // namespace
 
 Rational geometric_tail(const Rational& beta, const Rational& alpha, int k) {
   if (alpha < 0 || alpha >= 1 || k < 0)
     throw InvalidInput("geometric_tail: 0 <= alpha < 1 and k >= 0 must hold, found alpha = " + alpha.str() +
                        " and k = " + std::to_string(k));
-  return beta * power_of(alpha, k) / (1 - alpha);
+  return beta * integer_power(alpha, k) / (1 - alpha);
 }
 
 Rational ConvergenceBound::factor(int k) const {

@@ -19,7 +19,7 @@ LaurentPolynomial<Rational, D> box_factor(std::size_t d, int arity) {
 
 }  // namespace
 
-Rational integer_power(int base, int exponent) {
+Rational integer_power(const Rational& base, int exponent) {
   Rational result = 1;
   for (int n = 0; n < exponent; ++n) result *= base;
   return result;

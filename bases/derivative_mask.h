@@ -43,7 +43,7 @@ int total(const std::array<int, N>& order) {
   return sum;
 }
 
-/// base^exponent.
-Rational integer_power(int base, int exponent);
+/// base^exponent, exponent >= 0.
+Rational integer_power(const Rational& base, int exponent);
 
 }  // namespace batten

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/derivative_mask.h>
 #include <batten/bases/mask_family.h>
 #include <batten/bases/mask_text.h>
 #include <batten/domains/errors.h>
@@ -36,12 +37,6 @@ bool is_inside(const Index<2>& i, int half, MaskShape shape) {
   if (shape == MaskShape::Disc) return x * x + y * y <= half * half;
   if (shape == MaskShape::Diamond) return x + y <= half;
   return std::max(x, y) <= half;
-}
-
-Rational integer_power(int base, int n) {
-  Rational result = 1;
-  for (int k = 0; k < n; ++k) result *= base;
-  return result;
 }
 
 /// Σ s[i,j] x^i y^j i^a j^b at x, y = ±1, a combination of derivatives of order <= a + b.
