@@ -2,14 +2,13 @@
 #include <batten/app/evaluate_command.h>
 #include <batten/app/fit_help.h>
 #include <batten/app/number_text.h>
+#include <batten/app/output_names.h>
 #include <batten/app/point_columns.h>
 #include <batten/app/progress.h>
 #include <batten/app/thread_count.h>
-#include <batten/app/usage_error.h>
 #include <batten/domains/errors.h>
 #include <batten/fem/solution.h>
 #include <batten/io/image_file.h>
-#include <batten/io/output_file.h>
 #include <batten/io/table.h>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -43,16 +41,8 @@ constexpr std::array derivatives = {Derivative{"value", 0, 0}, Derivative{"dx", 
                                     Derivative{"dxx", 2, 0},   Derivative{"dxy", 1, 1}, Derivative{"dyy", 0, 2}};
 
 void check_outputs(const EvaluateArguments& arguments) {
-  const std::filesystem::path output = arguments.output;
-  if (output.extension() != ".csv") {
-    throw UsageError("-o: the name must end with .csv, found '" + arguments.output + "'");
-  }
-  std::error_code error;
-  for (const std::string& input : {arguments.result, arguments.at}) {
-    if (!std::filesystem::equivalent(output, input, error)) continue;
-    throw UsageError(arguments.output + ": is an input and would be overwritten");
-  }
-  check_output(output);
+  for (const std::string& input : {arguments.result, arguments.at}) check_not_input(arguments.output, input);
+  check_output_name("-o", arguments.output, {".csv"});
 }
 
 Table read_points(const EvaluateArguments& arguments) {

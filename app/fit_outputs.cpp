@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/fit_outputs.h>
-#include <batten/app/usage_error.h>
+#include <batten/app/output_names.h>
 #include <batten/domains/errors.h>
 #include <batten/io/image_file.h>
-#include <batten/io/output_file.h>
 #include <batten/io/picture.h>
 #include <batten/io/point_file.h>
 #include <batten/io/table.h>
@@ -11,41 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <initializer_list>
 
 namespace batten {
 namespace {
-
-namespace fs = std::filesystem;
-
-#ifdef BATTEN_WITH_VTK
-constexpr bool has_vtk = true;
-#else
-constexpr bool has_vtk = false;
-#endif
-
-bool is_table(const std::string& file) { return fs::path(file).extension() == ".csv"; }
-
-void check_extension(const std::string& option, const std::string& file, std::initializer_list<const char*> known) {
-  const std::string extension = fs::path(file).extension().string();
-  std::string list;
-  for (const char* const name : known) {
-    if (extension == name) return;
-    list += (list.empty() ? "" : " or ") + std::string(name);
-  }
-  throw UsageError(option + ": the name must end with " + list + ", found '" + file + "'");
-}
-
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error) || fs::equivalent(a, b, error);
-}
-
-void check_vtk(const std::string& option, const std::string& file) {
-  if (has_vtk || file.empty()) return;
-  throw UsageError(option + ": this build of Batten has no VTK and cannot write '" + file + "'");
-}
 
 Record record_of(const FitOutputs& outputs) {
   const FitArguments& arguments = *outputs.arguments;
@@ -126,17 +93,11 @@ std::vector<std::string> output_files(const FitArguments& arguments) {
 }
 
 void check_outputs(const FitArguments& arguments) {
-  check_extension("-o", arguments.output, {".vti", ".csv"});
-  if (!arguments.points_out.empty()) check_extension("--points-out", arguments.points_out, {".vtp"});
-  if (!arguments.picture.empty()) check_extension("--picture", arguments.picture, {".png"});
-  if (!arguments.report.empty()) check_extension("--report", arguments.report, {".json"});
-  if (!is_table(arguments.output)) check_vtk("-o", arguments.output);
-  check_vtk("--points-out", arguments.points_out);
-  check_vtk("--picture", arguments.picture);
-  for (const std::string& file : output_files(arguments)) {
-    if (is_same_file(file, arguments.points)) throw UsageError(file + ": is the input and would be overwritten");
-    check_output(file);
-  }
+  for (const std::string& file : output_files(arguments)) check_not_input(file, arguments.points);
+  check_output_name("-o", arguments.output, {".vti", ".csv"});
+  check_output_name("--points-out", arguments.points_out, {".vtp"});
+  check_output_name("--picture", arguments.picture, {".png"});
+  check_output_name("--report", arguments.report, {".json"});
 }
 
 void write_outputs(const FitOutputs& outputs, Progress& progress) {

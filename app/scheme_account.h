@@ -14,7 +14,7 @@ namespace batten {
 /// UsageError for questions that cannot be read, InvalidInput for what the scheme does not have, such as a derivative.
 std::string scheme_account(const AnyScheme& scheme, const SchemeArguments& arguments);
 
-/// That JSON as a table for a reader. `mask` is the mask as a polynomial.
+/// That JSON as a table for a reader. `mask` is the mask as a polynomial; without it the mask is a table like others.
 std::string scheme_table(const std::string& account, const std::string& mask);
 
 /// The mask of the step that the account tells of, as a polynomial.

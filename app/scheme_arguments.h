@@ -14,12 +14,17 @@ struct SchemeArguments {
   std::optional<int> order, points, arity;
   std::optional<std::string> directions, roots, weight, mask, offset;
   std::optional<double> sigma;
+  // Of polyharmonic masks and of quotients.
+  std::optional<std::string> method, relaxation, symmetry, shape, zeros, numerator, denominator;
+  std::optional<int> size, precision;
   // What is asked of it.
   int level = 0;
   bool values = false;
   std::vector<std::string> derivatives;
   std::vector<std::string> inner_products;
   bool smoothness = false;
+  int rounds = 5;
+  bool compare = false;
   // How it is shown.
   bool json = false;
   std::string picture, output;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/polyharmonic_mask.h>
 #include <batten/app/scheme_catalogue.h>
+#include <batten/app/scheme_options.h>
 #include <batten/app/usage_error.h>
 #include <batten/bases/box_spline.h>
 #include <batten/bases/bspline_scheme.h>
@@ -98,30 +100,26 @@ const std::vector<Entry>& catalogue() {
        [](A a) -> AnyScheme { return with_weight(a, ternary_four_point_scheme, Rational(1, 10)); }},
       {"butterfly", {}, {"--w"}, [](A a) -> AnyScheme { return with_weight(a, butterfly_scheme, Rational(1, 16)); }},
       {"quad-interpolatory", {}, {}, [](A) -> AnyScheme { return quad_interpolatory_scheme(); }},
+      {"polyharmonic",
+       {"--order"},
+       {"--method", "--size", "--precision", "--relaxation", "--symmetry", "--shape", "--zeros"},
+       [](A a) -> AnyScheme { return polyharmonic_scheme_of(a); }},
       {"custom", {"--mask"}, {"--offset", "--arity"}, custom_of},
   };
   return entries;
 }
 
-/// The options of SchemeArguments that make a scheme, and which of them were given.
-std::vector<std::string> given_options(const SchemeArguments& a) {
-  const std::array<std::pair<const char*, bool>, 9> all = {{{"--order", a.order.has_value()},
-                                                            {"--points", a.points.has_value()},
-                                                            {"--arity", a.arity.has_value()},
-                                                            {"--directions", a.directions.has_value()},
-                                                            {"--roots", a.roots.has_value()},
-                                                            {"--w", a.weight.has_value()},
-                                                            {"--mask", a.mask.has_value()},
-                                                            {"--offset", a.offset.has_value()},
-                                                            {"--sigma", a.sigma.has_value()}}};
-  std::vector<std::string> given;
-  for (const auto& [name, is_given] : all)
-    if (is_given) given.emplace_back(name);
-  return given;
-}
-
 bool holds(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+const Entry& entry_of(const SchemeArguments& arguments) {
+  const auto& entries = catalogue();
+  const auto entry =
+      std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.name == arguments.name; });
+  if (entry == entries.end())
+    throw UsageError("there is no scheme '" + arguments.name + "'; the schemes are " + scheme_names());
+  return *entry;
 }
 
 }  // namespace
@@ -132,19 +130,23 @@ std::string scheme_names() {
   return names;
 }
 
-AnyScheme scheme_of(const SchemeArguments& arguments) {
-  const auto& entries = catalogue();
-  const auto entry =
-      std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.name == arguments.name; });
-  if (entry == entries.end())
-    throw UsageError("there is no scheme '" + arguments.name + "'; the schemes are " + scheme_names());
-  const auto given = given_options(arguments);
-  for (const std::string& option : entry->needs)
+void check_options(const SchemeArguments& arguments, const std::vector<std::string>& needs,
+                   const std::vector<std::string>& may) {
+  const auto given = making_options_given(arguments);
+  for (const std::string& option : needs)
     if (!holds(given, option)) throw UsageError(arguments.name + " needs " + option);
   for (const std::string& option : given)
-    if (!holds(entry->needs, option) && !holds(entry->may, option))
-      throw UsageError(arguments.name + " has no option " + option);
-  return entry->make(arguments);
+    if (!holds(needs, option) && !holds(may, option)) throw UsageError(arguments.name + " has no option " + option);
+}
+
+void check_scheme_options(const SchemeArguments& arguments) {
+  const Entry& entry = entry_of(arguments);
+  check_options(arguments, entry.needs, entry.may);
+}
+
+AnyScheme scheme_of(const SchemeArguments& arguments) {
+  check_scheme_options(arguments);
+  return entry_of(arguments).make(arguments);
 }
 
 std::vector<std::vector<int>> parse_integers(const std::string& option, const std::string& text) {

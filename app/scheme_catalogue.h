@@ -22,6 +22,12 @@ std::string scheme_names();
 /// option that the scheme does not have or needs, or one that cannot be read; InvalidInput for values that it refuses.
 AnyScheme scheme_of(const SchemeArguments& arguments);
 
+/// Throws UsageError as scheme_of() does, for the name and the options that make the scheme alone.
+void check_scheme_options(const SchemeArguments& arguments);
+/// Throws UsageError when an option that makes a scheme is missing, or given although it is in neither list.
+void check_options(const SchemeArguments& arguments, const std::vector<std::string>& needs,
+                   const std::vector<std::string>& may);
+
 /// Integers separated by commas, rows by semicolons: "1,0;0,1" -> {{1, 0}, {0, 1}}. Throws UsageError that names the
 /// option and the text.
 std::vector<std::vector<int>> parse_integers(const std::string& option, const std::string& text);

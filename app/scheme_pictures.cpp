@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/output_names.h>
 #include <batten/app/scheme_pictures.h>
 #include <batten/app/usage_error.h>
 #include <batten/bases/non_stationary_values.h>
@@ -8,13 +9,11 @@
 #include <batten/io/chart.h>
 #include <batten/io/curve_file.h>
 #include <batten/io/image_file.h>
-#include <batten/io/output_file.h>
 #include <batten/io/picture.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 namespace batten {
@@ -189,19 +188,13 @@ void draw_control(const Scheme& scheme, const SchemeArguments& arguments) {
 
 void check_scheme_outputs(const AnyScheme& scheme, const SchemeArguments& arguments) {
   const bool is_curve = std::holds_alternative<Scheme>(scheme);
-  const std::string ending = is_curve ? ".vtp" : ".vti";
-  if (!arguments.output.empty() && std::filesystem::path(arguments.output).extension() != ending)
-    throw UsageError("-o: the name must end with " + ending + " for " + arguments.name + ", found '" +
-                     arguments.output + "'");
-  if (!arguments.picture.empty() && std::filesystem::path(arguments.picture).extension() != ".png")
-    throw UsageError("--picture: the name must end with .png, found '" + arguments.picture + "'");
   if (!arguments.control.empty() && !is_curve)
     throw UsageError("--control: " + arguments.name + " is a scheme of the plane, not of curves");
   if (!arguments.control.empty() && arguments.output.empty() && arguments.picture.empty())
     throw UsageError("--control: there is nothing to write it to; add --picture or -o");
   if (arguments.closed && arguments.control.empty()) throw UsageError("--closed: there is no --control to close");
-  for (const std::string& name : {arguments.output, arguments.picture})
-    if (!name.empty()) check_output(name);
+  check_output_name("-o", arguments.output, {is_curve ? ".vtp" : ".vti"});
+  check_output_name("--picture", arguments.picture, {".png"});
 }
 
 void write_scheme_outputs(const AnyScheme& scheme, const SchemeArguments& arguments) {

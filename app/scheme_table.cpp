@@ -65,7 +65,7 @@ std::string scheme_table(const std::string& account, const std::string& mask) {
   std::ostringstream out;
   const Json json = Json::parse(account);
   for (const auto& [key, value] : json.items()) {
-    if (key == "mask")
+    if (key == "mask" && !mask.empty())
       write_line(out, key, mask);
     else
       write_entry(out, key, value);

@@ -87,7 +87,10 @@ struct Basis {
   int size() const { return static_cast<int>(unknowns.size() + equations.size()); }
 };
 
-Basis basis_of(const ClpModel& model, const LinearProgram& program) {
+/// The basis of the optimum in doubles.
+Basis final_basis(const LinearProgram& program, const std::vector<Column>& columns) {
+  ClpModel model(program, columns);
+  model.solve();
   Basis basis;
   for (int j = 0; j < unknowns_of(program); ++j)
     if (model.is_basic(j)) basis.unknowns.push_back(j);
@@ -168,11 +171,16 @@ bool is_proved(const LinearOptimum& found, const LinearProgram& program) {
          satisfies_equations(program, found.values) && respects_costs(program, found.prices);
 }
 
+std::vector<Rational> nearly_optimal_values(const LinearProgram& program) {
+  const auto columns = columns_of(program);
+  const auto values = basic_values(program, columns, final_basis(program, columns));
+  if (!values) throw SolverError("optimum: the basis that Clp found is singular in exact numbers");
+  return *values;
+}
+
 LinearOptimum optimum(const LinearProgram& program) {
   const auto columns = columns_of(program);
-  ClpModel model(program, columns);
-  model.solve();
-  const Basis basis = basis_of(model, program);
+  const Basis basis = final_basis(program, columns);
   const auto values = basic_values(program, columns, basis);
   const auto prices = basic_prices(program, columns, basis);
   if (!values || !prices) throw SolverError("optimum: the basis that Clp found is singular in exact numbers");

@@ -31,6 +31,11 @@ struct LinearOptimum {
 /// each other, costs have no lower bound, or rounding has misled Clp: what it found is not optimal in exact numbers.
 LinearOptimum optimum(const LinearProgram& program);
 
+/// The values at which Clp ends, exact as far as the equations go: they satisfy them, while signs and optimality hold
+/// up to Clp's rounding. For bounds that any choice gives. Throws as optimum() does, but not for rounding that left the
+/// values short of the optimum.
+std::vector<Rational> nearly_optimal_values(const LinearProgram& program);
+
 /// Whether values satisfy the equations and signs, prices the inequalities, and both give `cost`.
 bool is_proved(const LinearOptimum& found, const LinearProgram& program);
 

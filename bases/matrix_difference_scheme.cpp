@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/difference_scheme.h>
-#include <batten/bases/exact_linear.h>
-#include <batten/bases/least_absolute_sum.h>
+#include <batten/bases/exact_linear_program.h>
 #include <batten/bases/mask_division.h>
-#include <batten/bases/mask_text.h>
 #include <batten/bases/matrix_difference_scheme.h>
 #include <batten/domains/errors.h>
 
-#include <algorithm>
+#include <string>
 
 namespace batten {
 namespace {
-
-constexpr double cost_of_a_gap = 1e4;  // of what is left of c: none is left when there is a solution
 
 /// The linear program of one row: unknowns are the coefficients of A_j on a box each, equations those of the product on
 /// the box that holds all of it.
@@ -26,24 +22,40 @@ public:
         for (int x = 0; x < size_[0] - (order - j); ++x) unknowns_.push_back({j, {x, y}});
   }
 
+  /// The coefficients are x - x' with x, x' >= 0.
   std::vector<Mask2<Rational>> solution() const {
-    const int gaps = equations();
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(gaps, gaps + static_cast<int>(unknowns_.size()));
-    Eigen::VectorXd b(gaps), costs = Eigen::VectorXd::Ones(a.cols());
-    costs.head(gaps).setConstant(cost_of_a_gap);
-    const std::vector<Rational> right = right_side();
-    for (int i = 0; i < gaps; ++i) {
-      a(i, i) = 1;
-      b[i] = static_cast<double>(right[static_cast<std::size_t>(i)]);
-    }
+    LinearProgram program;
+    program.costs.assign(2 * unknowns_.size(), 1);
+    for (const Rational& right : right_side()) program.equations.push_back({{}, right});
     for (std::size_t u = 0; u < unknowns_.size(); ++u)
       for_terms(unknowns_[u], [&](int equation, const Rational& value) {
-        a(equation, gaps + static_cast<int>(u)) = static_cast<double>(value);
+        auto& terms = program.equations[static_cast<std::size_t>(equation)].terms;
+        terms.emplace_back(static_cast<int>(2 * u), value);
+        terms.emplace_back(static_cast<int>(2 * u + 1), -value);
       });
-    return exact(least_absolute_sum(a, b, costs).basis, right);
+    const std::vector<Rational> found = solved(program);
+    std::vector<Mask2<Rational>> row(operators_.size());
+    for (std::size_t u = 0; u < unknowns_.size(); ++u) {
+      const Index<2> at = {first_[0] + unknowns_[u].at[0], first_[1] + unknowns_[u].at[1]};
+      const Rational value = found[2 * u] - found[2 * u + 1];
+      if (value != 0)
+        row[static_cast<std::size_t>(unknowns_[u].operator_index)] += Mask2<Rational>::monomial(at, value);
+    }
+    return row;
   }
 
 private:
+  static std::vector<Rational> solved(const LinearProgram& program) {
+    try {
+      return nearly_optimal_values(program);
+    } catch (const SolverError& error) {
+      throw InvalidInput(
+          "matrix_difference_scheme: the sum rules of this order and a support that holds the scheme are "
+          "needed, found no combination of differences (" +
+          std::string(error.what()) + ")");
+    }
+  }
+
   struct Unknown {
     int operator_index;
     Index<2> at;
@@ -63,34 +75,6 @@ private:
     std::vector<Rational> right;
     for (int k = 0; k < equations(); ++k) right.push_back(c_[{first_[0] + k % size_[0], first_[1] + k / size_[0]}]);
     return right;
-  }
-
-  /// Solves the equations for the unknowns of the basis in rationals.
-  std::vector<Mask2<Rational>> exact(const std::vector<int>& basis, const std::vector<Rational>& right) const {
-    std::vector<int> chosen;
-    for (int k : basis)
-      if (k >= equations()) chosen.push_back(k - equations());
-    const int last = static_cast<int>(chosen.size());
-    RationalMatrix system(equations(), last + 1);
-    for (int k = 0; k < last; ++k)
-      for_terms(unknowns_[static_cast<std::size_t>(chosen[static_cast<std::size_t>(k)])],
-                [&](int equation, const Rational& value) { system(equation, k) = value; });
-    for (int i = 0; i < equations(); ++i) system(i, last) = right[static_cast<std::size_t>(i)];
-    const EchelonForm form = echelon_form(std::move(system));
-    if (!form.pivots.empty() && form.pivots.back() == last)
-      throw InvalidInput(
-          "matrix_difference_scheme: the sum rules of this order and a support that holds the scheme are "
-          "needed, found no combination of differences for " +
-          to_string(c_));
-    std::vector<Mask2<Rational>> row(operators_.size());
-    for (std::size_t i = 0; i < form.pivots.size(); ++i) {
-      const int k = chosen[static_cast<std::size_t>(form.pivots[i])];
-      const Unknown& unknown = unknowns_[static_cast<std::size_t>(k)];
-      const Index<2> at = {first_[0] + unknown.at[0], first_[1] + unknown.at[1]};
-      row[static_cast<std::size_t>(unknown.operator_index)] +=
-          Mask2<Rational>::monomial(at, form.rows(static_cast<int>(i), last));
-    }
-    return row;
   }
 
   const Mask2<Rational>& c_;

@@ -18,8 +18,7 @@ struct MatrixDifferenceOptions {
 ///
 /// A linear program for each row and coset, which do not depend on each other: minimise Σ_j ‖A_j‖₁ subject to
 /// Σ_j A_j[x] (1-x)^(q-j) (1-y)^j = C[x], C the coset of arity^((q-1) steps) (1-x)^(q-i) (1-y)^i s_n [ibid.,
-/// sec. 3.3.2]. Solved in doubles; the optimal basis is then solved in rationals, so that the identity holds exactly,
-/// and the norm is that of an exact T.
+/// sec. 3.3.2]. The identity holds exactly; the norm is the least one up to rounding in the search.
 ///
 /// In one dimension it is difference_scheme's mask, taken `steps` times. Throws InvalidInput when there is none: s has
 /// not the sum rules of this order, or the support is too small.

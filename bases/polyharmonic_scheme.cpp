@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/mask_family.h>
+#include <batten/bases/mask_text.h>
+#include <batten/bases/mask_values.h>
 #include <batten/bases/polyharmonic_coefficients.h>
 #include <batten/bases/polyharmonic_scheme.h>
 #include <batten/domains/errors.h>
@@ -30,6 +32,20 @@ Mask2<double> truncated_laurent_mask(int order, int size) {
     for (int i = -half; i <= half; ++i)
       coefficients.push_back(values[static_cast<std::size_t>(*family.unknown_at({i, j}))]);
   return {{-half, -half}, {size, size}, std::move(coefficients)};
+}
+
+Mask2<Rational> with_unit_cosets(const Mask2<double>& s) {
+  std::vector<Rational> values(s.coefficients().begin(), s.coefficients().end());
+  const Mask2<Rational> exact(s.first(), s.size(), std::move(values));
+  Mask2<Rational> result;
+  for (const Index<2>& residue : {Index<2>{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+    const auto part = coset(exact, residue);
+    const Rational total = sum(part);
+    if (total == 0)
+      throw InvalidInput("with_unit_cosets: no coset may sum to 0, found " + index_text<2>(residue) + " that does");
+    result += Rational(1 / total) * (upsampled(part, 2) * Mask2<Rational>::monomial(residue));
+  }
+  return result;
 }
 
 Mask2<Rational> jacobi_mask(int order, const JacobiOptions& options) {

@@ -13,6 +13,10 @@ namespace batten {
 /// the cosets to 1.
 Mask2<double> truncated_laurent_mask(int order, int size);
 
+/// The mask with each coset divided by its sum, so that constants are reproduced; exact for the doubles given. Throws
+/// InvalidInput when a coset sums to 0.
+Mask2<Rational> with_unit_cosets(const Mask2<double>& s);
+
 struct JacobiOptions {
   /// Jacobi's a. Rounds converge for a in (0, 2 / 8^m); 0 stands for 1 / 8^m.
   Rational relaxation = 0;

@@ -32,6 +32,7 @@ std::vector<Step> steps_of(const Scheme& scheme, const SubdivisionOptions& optio
   std::vector<Step> steps;
   for (int k = 1; k <= options.levels; ++k) {
     const auto mask = scheme.mask(options.data_level + k);
+    require_ends("subdivided", mask, 0, options.ends);
     const auto rules = axis_rules(mask, 0, scheme.arity());
     steps.push_back({rules, group_weights(mask, rules).front(), 0.5 * mask.half()[0]});
   }
@@ -57,8 +58,8 @@ void gather_into(std::span<const double> points, Ends ends, const IndexRange& ra
     return;
   }
   for (std::ptrdiff_t i = range.begin; i < range.end; ++i) {
-    const std::ptrdiff_t wrapped = ends == Ends::Periodic ? ((i % n) + n) % n : i;
-    *out++ = wrapped >= 0 && wrapped < n ? points[static_cast<std::size_t>(wrapped)] : 0;
+    const std::ptrdiff_t place = place_of(i, n, ends);
+    *out++ = place >= 0 ? points[static_cast<std::size_t>(place)] : 0;
   }
 }
 

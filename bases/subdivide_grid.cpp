@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/blocks.h>
+#include <batten/bases/grid_rules.h>
 #include <batten/bases/subdivide.h>
 #include <batten/domains/errors.h>
 
@@ -12,17 +13,6 @@
 namespace batten {
 namespace {
 
-struct GridStep {
-  AxisRules x, y;
-  std::vector<std::vector<double>> weights;  // by residue and old row in y
-};
-
-GridStep step_of(const Mask2<double>& mask, int arity) {
-  GridStep step{axis_rules(mask, 0, arity), axis_rules(mask, 1, arity), {}};
-  step.weights = group_weights(mask, step.x, step.y);
-  return step;
-}
-
 struct GridRange {
   IndexRange x, y;
 };
@@ -31,50 +21,40 @@ struct GridRange {
 Eigen::MatrixXd gathered(const Eigen::MatrixXd& values, const GridRange& have, const GridRange& wanted,
                          const GridSubdivisionOptions& options) {
   const auto place = [](std::ptrdiff_t i, const IndexRange& range, Ends ends) {
-    const std::ptrdiff_t n = range.size(), at = i - range.begin;
-    return ends == Ends::Periodic ? ((at % n) + n) % n : at;
+    return place_of(i - range.begin, range.size(), ends);
   };
+  std::vector<std::ptrdiff_t> columns;
+  for (std::ptrdiff_t i = wanted.x.begin; i < wanted.x.end; ++i) columns.push_back(place(i, have.x, options.x));
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(wanted.x.size(), wanted.y.size());
   for (std::ptrdiff_t j = 0; j < wanted.y.size(); ++j) {
     const std::ptrdiff_t row = place(wanted.y.begin + j, have.y, options.y);
-    if (row < 0 || row >= have.y.size()) continue;
-    for (std::ptrdiff_t i = 0; i < wanted.x.size(); ++i) {
-      const std::ptrdiff_t column = place(wanted.x.begin + i, have.x, options.x);
-      if (column >= 0 && column < have.x.size()) result(i, j) = values(column, row);
-    }
+    if (row < 0) continue;
+    for (std::ptrdiff_t i = 0; i < wanted.x.size(); ++i)
+      if (const auto column = columns[static_cast<std::size_t>(i)]; column >= 0) result(i, j) = values(column, row);
   }
   return result;
 }
 
-/// New row `index` in y into `groups`, from all old values that its groups use; `first_row` is the first of them in y.
-void fill_row(const GridStep& step, const Eigen::MatrixXd& old, std::ptrdiff_t first_row, std::ptrdiff_t index,
-              std::span<double> groups) {
-  const std::ptrdiff_t group = step.y.groups_of({index, index + 1}).begin, residue = index - step.y.arity * group;
-  const std::ptrdiff_t row = step.y.window_of({group, group + 1}).begin - first_row;
-  const auto count = static_cast<std::ptrdiff_t>(groups.size()) / step.x.arity;
-  bool adds = false;
-  for (int q = 0; q < step.y.width; ++q) {
-    const auto& weights = step.weights[static_cast<std::size_t>(q + step.y.width * residue)];
-    if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; })) continue;
-    refine_groups_into(step.x, weights.data(), old.col(row + q).data(), count, groups.data(), adds);
-    adds = true;
-  }
-  if (!adds) std::fill(groups.begin(), groups.end(), 0.);
-}
-
-Eigen::MatrixXd refined(const GridStep& step, const Eigen::MatrixXd& values, const GridRange& have,
+Eigen::MatrixXd refined(const GridRules& rules, const Eigen::MatrixXd& values, const GridRange& have,
                         const GridRange& fine, const GridSubdivisionOptions& options) {
-  const IndexRange groups_x = step.x.groups_of(fine.x), groups_y = step.y.groups_of(fine.y);
-  const GridRange wanted{step.x.window_of(groups_x), step.y.window_of(groups_y)};
+  const AxisRules &x = rules.x(), &y = rules.y();
+  const IndexRange groups_x = x.groups_of(fine.x), groups_y = y.groups_of(fine.y);
+  const GridRange wanted{x.window_of(groups_x), y.window_of(groups_y)};
   const Eigen::MatrixXd old = gathered(values, have, wanted, options);
   Eigen::MatrixXd result(fine.x.size(), fine.y.size());
-  const auto length = static_cast<std::size_t>(step.x.arity * groups_x.size());
-  const std::ptrdiff_t skipped = fine.x.begin - step.x.arity * groups_x.begin;
-  std::vector<double> rows(length * static_cast<std::size_t>(omp_get_max_threads()));
+  const std::ptrdiff_t length = x.arity * groups_x.size(), skipped = fine.x.begin - x.arity * groups_x.begin;
+  struct Scratch {
+    GridRules::Work work;
+    std::vector<double> row;
+  };
+  std::vector<Scratch> scratch(static_cast<std::size_t>(omp_get_max_threads()),
+                               {rules.work(old.rows()), std::vector<double>(static_cast<std::size_t>(length))});
   for_blocks(RowBlocks(static_cast<int>(fine.y.size()), static_cast<int>(length)), [&](int begin, int end) {
-    const std::span row(rows.data() + length * static_cast<std::size_t>(omp_get_thread_num()), length);
+    auto& [work, row] = scratch[static_cast<std::size_t>(omp_get_thread_num())];
     for (int j = begin; j < end; ++j) {
-      fill_row(step, old, wanted.y.begin, fine.y.begin + j, row);
+      const std::ptrdiff_t index = fine.y.begin + j, group = y.groups_of({index, index + 1}).begin;
+      const double* const first = old.col(group - groups_y.begin).data();
+      rules.fill_row(static_cast<int>(index - y.arity * group), first, old.rows(), groups_x.size(), work, row.data());
       std::copy_n(row.data() + skipped, fine.x.size(), result.col(j).data());
     }
   });
@@ -113,10 +93,12 @@ ControlGrid subdivided(const Scheme2& scheme, const ControlGrid& grid, const Gri
   std::array<double, 2> shift{};
   for (int k = 1; k <= options.levels; ++k) {
     const auto mask = scheme.mask(options.data_level + k);
-    const auto step = step_of(mask, scheme.arity());
-    const GridRange fine{step.x.refined(range.x, options.x), step.y.refined(range.y, options.y)};
+    require_ends("subdivided", mask, 0, options.x);
+    require_ends("subdivided", mask, 1, options.y);
+    const GridRules rules(mask, scheme.arity());
+    const GridRange fine{rules.x().refined(range.x, options.x), rules.y().refined(range.y, options.y)};
     require_range(fine);
-    for (auto& component : result.components) component = refined(step, component, range, fine, options);
+    for (auto& component : result.components) component = refined(rules, component, range, fine, options);
     range = fine;
     for (std::size_t d : {0, 1}) {
       shift[d] = scheme.arity() * shift[d] + 0.5 * mask.half()[d];

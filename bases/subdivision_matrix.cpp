@@ -20,10 +20,8 @@ struct Axis {
     for (std::ptrdiff_t i = fine.begin; i < fine.end; ++i)
       for (std::ptrdiff_t e = rules.exponents.begin; e < rules.exponents.end; ++e) {
         if ((i - e) % rules.arity != 0) continue;
-        const std::ptrdiff_t j = (i - e) / rules.arity,
-                             wrapped = ends == Ends::Periodic ? ((j % size) + size) % size : j;
-        if (wrapped < 0 || wrapped >= size) continue;
-        work(static_cast<int>(i - fine.begin), static_cast<int>(wrapped), static_cast<int>(e));
+        const std::ptrdiff_t place = place_of((i - e) / rules.arity, size, ends);
+        if (place >= 0) work(static_cast<int>(i - fine.begin), static_cast<int>(place), static_cast<int>(e));
       }
   }
 };
@@ -31,6 +29,7 @@ struct Axis {
 template <int D>
 Axis axis_of(const LaurentPolynomial<double, D>& mask, int arity, std::size_t axis, int n, Ends ends) {
   if (n < 1) throw InvalidInput("subdivision_matrix: there must be old points, found " + std::to_string(n));
+  require_ends("subdivision_matrix", mask, axis, ends);
   const auto rules = axis_rules(mask, axis, arity);
   const auto fine = rules.refined({0, n}, ends);
   if (fine.size() <= 0)

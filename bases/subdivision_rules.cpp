@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/index_box.h>
 #include <batten/bases/subdivision_rules.h>
+#include <batten/domains/errors.h>
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 // The kernels are compiled for the instruction sets of the x86-64 levels and chosen at start; other processors get the
 // plain one.
@@ -65,10 +67,10 @@ template <int arity, bool adds>
 
 template <int arity>
 [[gnu::always_inline]] inline void refine_all(const AxisRules& rules, const double* weights, const double* in,
-                                              std::ptrdiff_t groups, double* out, bool adds) {
+                                              std::ptrdiff_t groups, double* out) {
   for (int q = 0; q < rules.width; q += longest_pass) {
     const int width = std::min(rules.width - q, longest_pass);
-    if (q == 0 && !adds)
+    if (q == 0)
       refine_pass<arity, false>(width, weights, rules.width, in, groups, out);
     else
       refine_pass<arity, true>(width, weights + q, rules.width, in + q, groups, out);
@@ -78,20 +80,50 @@ template <int arity>
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void refine_by_two(const AxisRules& rules, const double* weights, const double* in, std::ptrdiff_t groups, double* out,
-                   bool adds) {
-  refine_all<2>(rules, weights, in, groups, out, adds);
+void refine_by_two(const AxisRules& rules, const double* weights, const double* in, std::ptrdiff_t groups,
+                   double* out) {
+  refine_all<2>(rules, weights, in, groups, out);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
 void refine_by_three(const AxisRules& rules, const double* weights, const double* in, std::ptrdiff_t groups,
-                     double* out, bool adds) {
-  refine_all<3>(rules, weights, in, groups, out, adds);
+                     double* out) {
+  refine_all<3>(rules, weights, in, groups, out);
 }
 
 }  // namespace
+
+std::ptrdiff_t place_of(std::ptrdiff_t i, std::ptrdiff_t n, Ends ends) {
+  const auto modulo = [](std::ptrdiff_t a, std::ptrdiff_t period) { return (a % period + period) % period; };
+  if (ends == Ends::Periodic) return modulo(i, n);
+  if (ends == Ends::Reflect) {
+    const std::ptrdiff_t last = n - 1;
+    if (last == 0) return 0;
+    const std::ptrdiff_t turned = modulo(i, 2 * last);
+    return turned <= last ? turned : 2 * last - turned;
+  }
+  return i >= 0 && i < n ? i : -1;
+}
+
+template <int D>
+void require_ends(const char* function, const LaurentPolynomial<double, D>& mask, std::size_t axis, Ends ends) {
+  if (ends != Ends::Reflect) return;
+  bool is_even = mask.half()[axis] == 0 && mask.first()[axis] == -mask.last()[axis];
+  const Index<D> first = mask.first(), size = mask.size();
+  for (std::size_t k = 0; is_even && k < mask.coefficients().size(); ++k) {
+    Index<D> at = first;
+    at[0] += static_cast<int>(k) % size[0];
+    if constexpr (D == 2) at[1] += static_cast<int>(k) / size[0];
+    const double c = mask.coefficients()[k];
+    at[axis] = -at[axis];
+    is_even = mask[at] == c;
+  }
+  if (!is_even)
+    throw InvalidInput(std::string(function) + ": reflection at the ends needs a mask that is symmetric about 0 in " +
+                       (axis == 0 ? "x" : "y") + ", found one that is not");
+}
 
 IndexRange AxisRules::groups_of(const IndexRange& fine) const {
   return {floor_quotient(fine.begin, arity), floor_quotient(fine.end - 1, arity) + 1};
@@ -103,6 +135,7 @@ IndexRange AxisRules::window_of(const IndexRange& groups) const {
 
 IndexRange AxisRules::refined(const IndexRange& old, Ends ends) const {
   if (ends == Ends::Periodic) return {arity * old.begin, arity * old.end};
+  if (ends == Ends::Reflect) return {arity * old.begin, arity * (old.end - 1) + 1};
   if (ends == Ends::Zero) return {arity * old.begin + exponents.begin, arity * (old.end - 1) + exponents.end};
   // New point arity j + e uses old point j where e has a coefficient: the last one that uses old.begin - 1 and the
   // first one that uses old.end are unknown.
@@ -156,13 +189,15 @@ std::vector<std::vector<double>> group_weights(const Mask2<double>& mask, const 
 }
 
 void refine_groups_into(const AxisRules& rules, const double* weights, const double* in, std::ptrdiff_t groups,
-                        double* out, bool adds) {
+                        double* out) {
   if (rules.arity == 2)
-    refine_by_two(rules, weights, in, groups, out, adds);
+    refine_by_two(rules, weights, in, groups, out);
   else
-    refine_by_three(rules, weights, in, groups, out, adds);
+    refine_by_three(rules, weights, in, groups, out);
 }
 
+template void require_ends(const char*, const Mask<double>&, std::size_t, Ends);
+template void require_ends(const char*, const Mask2<double>&, std::size_t, Ends);
 template AxisRules axis_rules(const Mask<double>&, std::size_t, int);
 template AxisRules axis_rules(const Mask2<double>&, std::size_t, int);
 

@@ -8,9 +8,21 @@
 
 namespace batten {
 
-/// What lies beyond the ends of data: nothing (zeros, so that sums of scaling functions come out whole), the data again
-/// (closed polygons), or unknown points, so that only those new points exist whose rules use old ones (open polygons).
-enum class Ends { Zero, Periodic, Open };
+/// What lies beyond the ends of data.
+enum class Ends {
+  Zero,      ///< nothing, so that sums of scaling functions come out whole
+  Periodic,  ///< the data again: closed polygons
+  Open,      ///< unknown points, so that only those new points exist whose rules use old ones: open polygons
+  Reflect,   ///< the data mirrored at their first and their last point, for masks symmetric about 0: limits have no
+             ///< slope across the ends [Warren & Weimer 2001, sec. 6.4.2]
+};
+
+/// Where the old point i is found among n that are numbered 0 .. n - 1; -1 where there is none.
+std::ptrdiff_t place_of(std::ptrdiff_t i, std::ptrdiff_t n, Ends ends);
+
+/// Throws InvalidInput, which begins with `function`, when the ends ask for a symmetry that the mask lacks on an axis.
+template <int D>
+void require_ends(const char* function, const LaurentPolynomial<double, D>& mask, std::size_t axis, Ends ends);
 
 /// Indices begin .. end - 1.
 struct IndexRange {
@@ -44,9 +56,9 @@ AxisRules axis_rules(const LaurentPolynomial<double, D>& mask, std::size_t axis,
 std::vector<std::vector<double>> group_weights(const Mask<double>& mask, const AxisRules& x);
 std::vector<std::vector<double>> group_weights(const Mask2<double>& mask, const AxisRules& x, const AxisRules& y);
 
-/// out[arity g + r] = Σ_q weights[q + width r] in[g + q] for g = 0 .. groups - 1, added to out where asked; arity 2
-/// or 3. Fills the caller's memory, arity * groups numbers, from groups + width - 1; in and out do not overlap.
+/// out[arity g + r] = Σ_q weights[q + width r] in[g + q] for g = 0 .. groups - 1; arity 2 or 3. Fills the caller's
+/// memory, arity * groups numbers, from groups + width - 1; in and out do not overlap.
 void refine_groups_into(const AxisRules& rules, const double* weights, const double* in, std::ptrdiff_t groups,
-                        double* out, bool adds = false);
+                        double* out);
 
 }  // namespace batten

@@ -20,12 +20,8 @@ namespace {
 
 std::string at_line(std::size_t line) { return "line " + std::to_string(line); }
 
-// The text behind a byte order mark and the "#" that opens a header like "# x y z". A text in UTF-16 is refused.
-std::string_view without_opening(std::string_view text, const std::string& source) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    throw InvalidInput(source + ": is encoded in UTF-16; save it as UTF-8");
-  }
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+// The text behind the "#" that opens a header like "# x y z".
+std::string_view without_opening(std::string_view text) {
   if (text.starts_with("# ") || text.starts_with("#\t")) text.remove_prefix(1);
   return text;
 }
@@ -197,7 +193,7 @@ std::vector<std::string> grid_names(const GridSamples& grid) {
 Table read_table(const std::filesystem::path& path, const TableOptions& options) {
   const TextSource file(path);
   const std::string& source = file.name();
-  const std::string_view text = without_opening(file.text(), source);
+  const std::string_view text = without_opening(file.utf8_text());
   const Delimiter delimiter = find_delimiter(text);
   RowScanner scanner(text, delimiter);
   if (!scanner.next() && scanner.unclosed_line() == 0) throw InvalidInput(source + ": the file is empty");

@@ -43,6 +43,14 @@ TextSource::~TextSource() {
   if (mapped_) ::munmap(mapped_, size_);
 }
 
+std::string_view TextSource::utf8_text() const {
+  std::string_view all = text();
+  if (all.starts_with("\xFF\xFE") || all.starts_with("\xFE\xFF"))
+    throw InvalidInput(name_ + ": is encoded in UTF-16; save it as UTF-8");
+  if (all.starts_with("\xEF\xBB\xBF")) all.remove_prefix(3);
+  return all;
+}
+
 // False if the file is empty, no regular file, or cannot be mapped.
 bool TextSource::map(int descriptor) {
   struct stat status = {};

@@ -20,6 +20,9 @@ public:
 
   std::string_view text() const { return mapped_ ? std::string_view(mapped_, size_) : std::string_view(copied_); }
 
+  /// The text without a byte order mark. Throws InvalidInput when it is in UTF-16.
+  std::string_view utf8_text() const;
+
   /// How messages name the source: the path as given, or "standard input".
   const std::string& name() const { return name_; }
 

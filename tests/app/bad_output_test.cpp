@@ -68,7 +68,7 @@ TEST(BadOutput, the_input_is_not_overwritten) {
   const Folder folder;
   const std::string text = "x,y,z\n0,0,1\n1,0,2\n0,1,3\n";
   folder.write("in.csv", text);
-  expect_failure(folder, "fit in.csv --x x --y y --value z -o ./in.csv", 2, "is the input and would be overwritten");
+  expect_failure(folder, "fit in.csv --x x --y y --value z -o ./in.csv", 2, "is an input and would be overwritten");
   EXPECT_EQ(folder.read("in.csv"), text);
 }
 

@@ -51,6 +51,18 @@ TEST(OptimalMask, of_order_two_has_the_known_optima) {
   expect_equal_digits(optimum_of(2, 17), 0.00425626, 1e-8);
 }
 
+TEST(TruncatedLaurentMask, keeps_constants_once_its_cosets_are_divided_by_their_sums) {
+  const auto raw = truncated_laurent_mask(1, 9);
+  const auto mask = with_unit_cosets(raw);
+  for (const Index<2>& r : {Index<2>{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+    EXPECT_EQ(sum(coset(mask, r)), 1);
+    EXPECT_GT(std::abs(sum(coset(raw, r)) - 1), 1e-4);
+  }
+  EXPECT_EQ(sum_rule_order(mask), 2);  // symmetry gives one order more
+  EXPECT_NEAR((to_double(mask)[{1, 0}] / to_double(mask)[{3, 2}]), (raw[{1, 0}] / raw[{3, 2}]), 1e-12);
+  EXPECT_THROW(with_unit_cosets(Mask2<double>::constant(1)), InvalidInput);
+}
+
 TEST(OptimalMask, of_order_two_with_zeros_of_order_four_has_the_known_optima) {
   expect_equal_digits(optimum_of(2, 9, precision(3)), 0.436029, 1e-6);
   expect_equal_digits(optimum_of(2, 17, precision(3)), 0.00474329, 1e-8);

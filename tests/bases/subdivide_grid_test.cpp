@@ -3,6 +3,7 @@
 #include <batten/bases/bspline_scheme.h>
 #include <batten/bases/interpolatory_schemes.h>
 #include <batten/bases/mask_text.h>
+#include <batten/bases/optimal_mask.h>
 #include <batten/bases/subdivide.h>
 #include <batten/bases/subdivision_matrix.h>
 #include <batten/domains/errors.h>
@@ -99,6 +100,68 @@ TEST(SubdividedGrid, sides_may_differ) {
   EXPECT_NEAR(finest.start[1] + finest.spacing[1] * static_cast<double>(finest.components[0].cols() - 1), 9, 0.05);
 }
 
+/// The values mirrored at the ends of both axes, so far that the mask of some levels does not reach beyond.
+Eigen::MatrixXd mirrored(const Eigen::MatrixXd& values, int beyond) {
+  const auto nx = static_cast<int>(values.rows()), ny = static_cast<int>(values.cols());
+  const auto turned = [](int i, int n) {
+    while (i < 0 || i >= n) i = i < 0 ? -i : 2 * (n - 1) - i;
+    return i;
+  };
+  Eigen::MatrixXd all(nx + 2 * beyond, ny + 2 * beyond);
+  for (int j = 0; j < ny + 2 * beyond; ++j)
+    for (int i = 0; i < nx + 2 * beyond; ++i) all(i, j) = values(turned(i - beyond, nx), turned(j - beyond, ny));
+  return all;
+}
+
+TEST(SubdividedGrid, reflection_is_subdivision_of_mirrored_data) {  // [Warren & Weimer 2001, sec. 6.4.2]
+  const auto cubic = centred(bspline_scheme(4));
+  for (const auto& scheme : {quad_interpolatory_scheme(), tensor_product(cubic, four_point_scheme())})
+    for (const auto& [nx, ny] : {std::pair{2, 3}, {5, 4}, {20, 33}}) {
+      const auto values = random_values(nx, ny);
+      const GridSubdivisionOptions options{.levels = 2, .x = Ends::Reflect, .y = Ends::Reflect};
+      const auto fine = subdivided(scheme, {.components = {values}}, options);
+      const auto wide = subdivided(scheme, {.components = {mirrored(values, 8)}}, {.levels = 2});
+      ASSERT_EQ(fine.components[0].rows(), 4 * (nx - 1) + 1);
+      ASSERT_EQ(fine.components[0].cols(), 4 * (ny - 1) + 1);
+      EXPECT_EQ(fine.start, (std::array{0., 0.}));
+      const auto x = std::lround(-wide.start[0] / wide.spacing[0]) + 32,
+                 y = std::lround(-wide.start[1] / wide.spacing[1]) + 32;
+      const Eigen::MatrixXd expected =
+          wide.components[0].block(x, y, fine.components[0].rows(), fine.components[0].cols());
+      EXPECT_LT((fine.components[0] - expected).cwiseAbs().maxCoeff(), 1e-14);
+    }
+}
+
+TEST(SubdividedGrid, reflection_needs_a_symmetric_mask) {
+  const ControlGrid grid{.components = {random_values(4, 4)}};
+  EXPECT_THAT([&] { subdivided(box_scheme(quartic), grid, {.levels = 1, .x = Ends::Reflect}); },
+              ThrowsMessage<InvalidInput>(HasSubstr("symmetric about 0 in x")));
+  const auto dual = tensor_product(centred(bspline_scheme(4)), centred(bspline_scheme(3)));
+  EXPECT_THAT([&] { subdivided(dual, grid, {.levels = 1, .y = Ends::Reflect}); },
+              ThrowsMessage<InvalidInput>(HasSubstr("symmetric about 0 in y")));
+}
+
+TEST(SubdividedGrid, large_masks_are_summed_like_small_ones) {
+  // the kernel adds rows that share their weights; a random mask has none of them
+  const auto large = custom_scheme(optimal_mask(1, 9, {.precision = 0}).mask);
+  auto coefficients = random_vector(81, 3);
+  double sum = 0;
+  for (double c : coefficients) sum += c;
+  for (double& c : coefficients) c *= 4 / sum;
+  const Scheme2 random("random", Mask2<double>({-4, -4}, {9, 9}, std::move(coefficients)));
+  for (const auto& scheme : {large, random})
+    for (const auto& [nx, ny] : {std::pair{1, 1}, {7, 3}, {40, 21}}) {
+      const auto values = random_values(nx, ny);
+      const auto expected = scheme.mask() * upsampled(mask_of(values), 2);
+      const auto fine = subdivided(scheme, {.components = {values}}, {.levels = 1});
+      double error = 0;
+      for (int j = 0; j < fine.components[0].cols(); ++j)
+        for (int i = 0; i < fine.components[0].rows(); ++i)
+          error = std::max(error, std::abs(fine.components[0](i, j) - expected[{i - 4, j - 4}]));
+      EXPECT_LT(error, 1e-13);
+    }
+}
+
 TEST(SubdividedGrid, values_have_the_same_bits_for_every_number_of_threads) {
   const auto values = random_values(301, 203);
   const int before = omp_get_max_threads();
@@ -111,8 +174,8 @@ TEST(SubdividedGrid, values_have_the_same_bits_for_every_number_of_threads) {
 }
 
 TEST(SubdividedGrid, is_what_the_sparse_matrix_gives) {
-  for (Ends ends : {Ends::Zero, Ends::Periodic, Ends::Open}) {
-    const auto scheme = butterfly_scheme();
+  for (Ends ends : {Ends::Zero, Ends::Periodic, Ends::Open, Ends::Reflect}) {
+    const auto scheme = ends == Ends::Reflect ? quad_interpolatory_scheme() : butterfly_scheme();
     const auto values = random_values(7, 9);
     const auto fine = subdivided(scheme, {.components = {values}}, {.levels = 1, .x = ends, .y = ends});
     const Eigen::VectorXd expected = subdivision_matrix(scheme, GridSize{7, 9}, ends) * values.reshaped();
