@@ -28,7 +28,7 @@ void BandedFactor::backward(int count, int start, int step, RowMatrix& x) const 
 void BandedFactor::solve(RowMatrix& x) const {
   const std::array counts = {middle_, size_ - 2 - middle_}, starts = {0, size_ - 1}, steps = {1, -1};
   std::array<RowMatrix, 2> rest;
-#pragma omp parallel for schedule(static) num_threads(2)
+#pragma omp parallel for schedule(static) num_threads(2) if (size_ > smallest_shared)
   for (std::size_t side = 0; side < 2; ++side) {
     rest[side].resize(2, x.cols());
     for (Eigen::Index c = 0; c < x.cols(); ++c) {
@@ -39,7 +39,7 @@ void BandedFactor::solve(RowMatrix& x) const {
   x.row(middle_) += rest[0].row(0) + rest[1].row(1);
   x.row(middle_ + 1) += rest[0].row(1) + rest[1].row(0);
   x.middleRows(middle_, 2) = core_.inverse() * x.middleRows(middle_, 2);
-#pragma omp parallel for schedule(static) num_threads(2)
+#pragma omp parallel for schedule(static) num_threads(2) if (size_ > smallest_shared)
   for (std::size_t side = 0; side < 2; ++side) backward(counts[side], starts[side], steps[side], x);
 }
 

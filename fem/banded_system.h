@@ -30,7 +30,7 @@ public:
       return BandRow{row(j).diagonal, j > 0 ? row(j - 1).first : 0, j > 1 ? row(j - 2).second : 0};
     };
     std::array<Rest, 2> rest;
-#pragma omp parallel for schedule(static) num_threads(2)
+#pragma omp parallel for schedule(static) num_threads(2) if (size_ > smallest_shared)
     for (int side = 0; side < 2; ++side)
       rest[static_cast<std::size_t>(side)] =
           side == 0 ? eliminate(middle_, row, 0, 1) : eliminate(size - 2 - middle_, turned, size - 1, -1);
@@ -69,6 +69,8 @@ private:
   /// Rows before the middle; what they add to the next two rows.
   std::array<double, 2> forward(int count, int start, int step, RowMatrix& x, Eigen::Index column) const;
   void backward(int count, int start, int step, RowMatrix& x) const;
+
+  static constexpr int smallest_shared = 4096;  // below, waking a thread takes longer
 
   int size_, middle_;  // rows middle_ and middle_ + 1 are solved last
   std::vector<Entry> entries_;
