@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/chart_sheet.h>
 #include <batten/app/number_text.h>
 #include <batten/app/polyharmonic_pictures.h>
 #include <batten/bases/polyharmonic_comparison.h>
 #include <batten/io/chart.h>
-#include <batten/io/output_file.h>
-#include <batten/io/png.h>
 #include <batten/io/table.h>
 
 #include <array>
@@ -88,20 +87,6 @@ Chart chart_of(const std::vector<Row>& rows, const std::string& title, const std
   return draw_chart(lines, options);
 }
 
-/// Two charts of the same size side by side.
-void write_pair(const std::string& path, const Chart& left, const Chart& right) {
-  const auto row = static_cast<std::size_t>(3 * left.width);
-  std::vector<std::uint8_t> rgb;
-  for (int y = 0; y < left.height; ++y)
-    for (const Chart* chart : {&left, &right}) {
-      const auto begin = chart->rgb.begin() + static_cast<std::ptrdiff_t>(row) * y;
-      rgb.insert(rgb.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
-    }
-  OutputFile file(path);
-  file.write(encode_png(2 * left.width, left.height, rgb));
-  file.commit();
-}
-
 void write_rows(std::ostream& out, const std::string& title, const std::string& first, const std::vector<Row>& rows,
                 Numbers Row::*numbers, int Row::*at) {
   constexpr int width = 14;
@@ -122,10 +107,13 @@ std::string compare_polyharmonic(const SchemeArguments& a) {
   const std::string size = std::to_string(a.size.value_or(usual_size));
   const std::string of_size = size + " x " + size;
   if (!a.output.empty()) write_csv(a.output, comparison);
-  if (!a.picture.empty())
-    write_pair(
-        a.picture, chart_of(comparison.by_size, of_order + ", one round", "size", [](const Row& r) { return r.size; }),
-        chart_of(comparison.by_rounds, of_order + ", " + of_size, "rounds", [](const Row& r) { return r.rounds; }));
+  if (!a.picture.empty()) {
+    const auto by_size =
+        chart_of(comparison.by_size, of_order + ", one round", "size", [](const Row& r) { return r.size; });
+    const auto by_rounds =
+        chart_of(comparison.by_rounds, of_order + ", " + of_size, "rounds", [](const Row& r) { return r.rounds; });
+    write_chart_sheet(a.picture, {{by_size, by_rounds}});
+  }
   std::ostringstream out;
   write_rows(out, "residual of one round, " + of_order, "size", comparison.by_size, &Row::residual, &Row::size);
   write_rows(out, "residual of several rounds, " + of_order + ", " + of_size, "rounds", comparison.by_rounds,

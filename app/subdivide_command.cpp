@@ -1,160 +1,91 @@
 // SPDX-License-Identifier: MIT
-#include <batten/app/number_text.h>
+#include <batten/app/curve_subdivision.h>
+#include <batten/app/grid_subdivision.h>
 #include <batten/app/output_names.h>
-#include <batten/app/progress.h>
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/scheme_options.h>
 #include <batten/app/subdivide_command.h>
 #include <batten/app/thread_count.h>
-#include <batten/app/usage_error.h>
-#include <batten/bases/subdivide.h>
-#include <batten/domains/errors.h>
-#include <batten/io/image_file.h>
-#include <batten/io/matrix_file.h>
-#include <batten/io/picture.h>
-#include <batten/io/table.h>
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
-#include <iostream>
 #include <memory>
 
 namespace batten {
 namespace {
 
 const char* const subdivide_help = R"(
-The input is a matrix of numbers, one line for each row, without a header: the
-number in column i of line j is the value at (i, j), counted from 0. Each level
-halves the spacing (arity 3: thirds it): p_k[x,y] = s[x,y] p_{k-1}[x^2,y^2].
+A table with a header is a curve: its rows are points, in order. A matrix of
+numbers without a header is a control grid: the number in column i of line j is
+the value at (i, j), counted from 0. Each level doubles the points (arity 3:
+triples them): p_k[x] = s[x] p_{k-1}[x^2].
 
-Schemes are those of `batten scheme`; one of the line is used in x and in y.
-Masks must keep constants: polyharmonic ones have --precision 0 unless another
-is asked for.
+Schemes are those of `batten scheme`; on a grid one of the line is used in x and
+in y. Masks must keep constants: polyharmonic ones have --precision 0 unless
+another is asked for. For curves there is natural-cubic as well: the curve of
+least bending energy, whose coefficients are the points, or which passes
+  --interpolate    through the points
+  --smoothing L    near them: mean of |p(t_i) - b_i|^2 + L int |p''|^2 is least,
+                   the parameter running from 0 to 1
+  --tolerance E    within E of each
+  --show result | rounds | forces (of E_k p_k: where the strip is held)
+         | multiresolution (q_k and the details r_k, down so many --levels)
 
-At the sides the grid ends as --boundary says:
+At the sides a grid ends as --boundary says:
   reflect   the values mirrored: flat across the side, needs a symmetric mask
   open      only new values whose rules lie within the grid
   zero      zeros outside
   periodic  the grid again
 
 Examples:
+  batten subdivide examples/data/hand.csv --scheme natural-cubic --interpolate \
+    --levels 4 -o hand.vtp --picture hand.png
   batten subdivide examples/data/plate.csv --scheme polyharmonic --order 2 \
     --method lp --size 9 --precision 3 --levels 3 -o plate.vti --picture plate.png
   batten subdivide examples/data/plate.csv --scheme bspline --order 4 --levels 3 -o plate.csv)";
 
-struct SubdivideArguments {
-  std::string input;
-  SchemeArguments scheme;
-  int levels = 3;
-  std::string boundary;
-  std::string output, picture, view = "surface";
-  int threads = 0;
-  bool quiet = false;
-};
-
-/// Whether the mask is even in x and in y, so that reflection is defined.
-bool is_even(const Scheme2& scheme) {
-  const auto mask = scheme.mask();
-  for (std::size_t axis : {0, 1}) {
-    try {
-      require_ends("batten subdivide", mask, axis, Ends::Reflect);
-    } catch (const InvalidInput&) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// On a grid a scheme of the line acts in x and in y, centred so that the grid does not drift.
-Scheme2 grid_scheme(const SchemeArguments& arguments) {
-  const AnyScheme found = scheme_of(arguments);
-  if (const auto* plane = std::get_if<Scheme2>(&found)) return is_even(*plane) ? *plane : centred(*plane);
-  const auto line = centred(std::get<Scheme>(found));
-  if (!line.is_stationary())
-    throw UsageError("--scheme " + arguments.name + " changes from level to level; on grids the mask must be one");
-  return tensor_product(line, line);
-}
-
-Ends ends_of(const SubdivideArguments& arguments, const Scheme2& scheme) {
-  const std::string& name = arguments.boundary;
-  if (name == "open") return Ends::Open;
-  if (name == "zero") return Ends::Zero;
-  if (name == "periodic") return Ends::Periodic;
-  if (name == "reflect") return Ends::Reflect;
-  return is_even(scheme) ? Ends::Reflect : Ends::Open;
-}
-
-ControlGrid grid_of(const NumberMatrix& matrix) {
-  return {.components = {Eigen::Map<const Eigen::MatrixXd>(matrix.values.data(), matrix.columns, matrix.rows)}};
-}
-
-GridSamples samples_of(const ControlGrid& grid) {
-  const Eigen::MatrixXd& values = grid.components[0];
-  GridSamples samples{.points = {static_cast<int>(values.rows()), static_cast<int>(values.cols())},
-                      .origin = grid.start,
-                      .spacing = grid.spacing};
-  samples.arrays = {{"value", 1, {values.data(), values.data() + values.size()}}};
-  return samples;
-}
-
-void write_results(const SubdivideArguments& arguments, const Scheme2& scheme, const GridSamples& samples) {
-  if (is_table(arguments.output)) {
-    write_table(arguments.output, samples);
-  } else {
-    const auto [x, y] = samples.origin;
-    Record record{.kind = "subdivided grid",
-                  .region = {x, x + samples.spacing[0] * (samples.points[0] - 1), y,
-                             y + samples.spacing[1] * (samples.points[1] - 1)}};
-    record.texts = {{"scheme", scheme.name()}, {"program", "batten " BATTEN_VERSION}};
-    record.numbers = {{"levels", static_cast<double>(arguments.levels)}};
-    write_image(arguments.output, samples, record);
-  }
-  if (arguments.picture.empty()) return;
-  PictureOptions options;
-  options.view = arguments.view == "map" ? PictureOptions::View::Map : PictureOptions::View::Surface;
-  options.title = scheme.name() + ", " + std::to_string(arguments.levels) + " levels";
-  write_picture(arguments.picture, samples, {}, options);
-}
-
 void run_subdivide(const SubdivideArguments& arguments) {
   for (const std::string& file : {arguments.output, arguments.picture}) check_not_input(file, arguments.input);
-  check_output_name("-o", arguments.output, {".vti", ".csv"});
-  check_output_name("--picture", arguments.picture, {".png"});
   set_thread_count(arguments.threads);
-  Progress progress("batten subdivide", arguments.quiet);
-  progress.show("make the scheme");
-  const Scheme2 scheme = grid_scheme(arguments.scheme);
-  require_affine_invariance(scheme);
-  progress.show("read");
-  const ControlGrid control = grid_of(read_matrix(arguments.input));
-  progress.show("subdivide");
-  const Ends ends = ends_of(arguments, scheme);
-  const ControlGrid fine = subdivided(scheme, control, {.levels = arguments.levels, .x = ends, .y = ends});
-  progress.show("write " + arguments.output);
-  const GridSamples samples = samples_of(fine);
-  write_results(arguments, scheme, samples);
-  progress.erase();
-  if (arguments.quiet) return;
-  const Eigen::MatrixXd &before = control.components[0], &after = fine.components[0];
-  std::cout << scheme.name() << ": " << before.rows() << " x " << before.cols() << " values -> " << after.rows()
-            << " x " << after.cols() << ", from " << number_text(after.minCoeff(), 6) << " to "
-            << number_text(after.maxCoeff(), 6) << "; wrote " << arguments.output << '\n';
+  is_curve(arguments) ? subdivide_curve(arguments) : subdivide_grid(arguments);
 }
 
 }  // namespace
 
 Subcommand add_subdivide_command(CLI::App& app) {
-  CLI::App* const parser = app.add_subcommand("subdivide", "Refine a control grid");
+  CLI::App* const parser = app.add_subcommand("subdivide", "Refine a curve or a control grid");
   const auto a = std::make_shared<SubdivideArguments>();
-  parser->add_option("GRID", a->input, "table of numbers; - reads standard input")->required()->option_text(" ");
-  parser->add_option("--scheme", a->scheme.name, "one of " + scheme_names())->required()->option_text("NAME");
+  parser->add_option("INPUT", a->input, "table of points with a header, or matrix of numbers; - reads standard input")
+      ->required()
+      ->option_text(" ");
+  parser->add_option("--scheme", a->scheme.name, "one of " + scheme_names() + ", natural-cubic")
+      ->required()
+      ->option_text("NAME");
   add_making_options(*parser, a->scheme);
   parser->add_option("--levels", a->levels, "how often, default 3")->option_text("K")->check(CLI::Range(0, 12));
   parser->add_option("--boundary", a->boundary, "default: reflect where the mask is symmetric, else open")
       ->option_text("NAME")
       ->check(CLI::IsMember({"reflect", "open", "zero", "periodic"}));
-  parser->add_option("-o,--output", a->output, "OUT.vti or OUT.csv (x,y,value)")->required()->option_text("OUT");
+  parser->add_option("--columns", a->columns, "of the points; default: x, y, z, or the first two")
+      ->option_text("COL ...")
+      ->expected(1, 3);
+  parser->add_option("--parameter", a->parameter, "uniform (default), centripetal, chord, or a column")
+      ->option_text("NAME");
+  parser->add_flag("--closed", a->closed, "join the last point of a curve to its first");
+  parser->add_flag("--interpolate", a->interpolate, "natural-cubic through the points");
+  parser->add_option("--smoothing", a->smoothing, "natural-cubic near the points")
+      ->option_text("L")
+      ->check(CLI::NonNegativeNumber);
+  parser->add_option("--tolerance", a->tolerance, "natural-cubic so near to each point")
+      ->option_text("E")
+      ->check(CLI::PositiveNumber);
+  parser->add_flag("--limit", a->limit, "points of the limit curve instead of its control polygon");
+  parser->add_option("--show", a->show, "what is written and drawn of natural-cubic")
+      ->option_text("WHAT")
+      ->check(CLI::IsMember({"result", "rounds", "forces", "multiresolution"}));
+  parser->add_option("-o,--output", a->output, "grids OUT.vti, curves OUT.vtp, both OUT.csv")
+      ->required()
+      ->option_text("OUT");
   auto* const picture = parser->add_option("--picture", a->picture, "of the result")->option_text("OUT.png");
   parser->add_option("--view", a->view, "of the picture: surface (default) or map")
       ->option_text("VIEW")

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <batten/app/grid_subdivision.h>
+#include <batten/app/number_text.h>
+#include <batten/app/output_names.h>
+#include <batten/app/progress.h>
+#include <batten/app/scheme_catalogue.h>
+#include <batten/app/usage_error.h>
+#include <batten/bases/subdivide.h>
+#include <batten/domains/errors.h>
+#include <batten/io/image_file.h>
+#include <batten/io/matrix_file.h>
+#include <batten/io/picture.h>
+#include <batten/io/table.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace batten {
+namespace {
+
+/// Whether the mask is even in x and in y, so that reflection is defined.
+bool is_even(const Scheme2& scheme) {
+  const auto mask = scheme.mask();
+  for (std::size_t axis : {0, 1}) {
+    try {
+      require_ends("batten subdivide", mask, axis, Ends::Reflect);
+    } catch (const InvalidInput&) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// On a grid a scheme of the line acts in x and in y, centred so that the grid does not drift.
+Scheme2 grid_scheme(const SchemeArguments& arguments) {
+  const AnyScheme found = scheme_of(arguments);
+  if (const auto* plane = std::get_if<Scheme2>(&found)) return is_even(*plane) ? *plane : centred(*plane);
+  const auto line = centred(std::get<Scheme>(found));
+  if (!line.is_stationary())
+    throw UsageError("--scheme " + arguments.name + " changes from level to level; on grids the mask must be one");
+  return tensor_product(line, line);
+}
+
+Ends ends_of(const SubdivideArguments& arguments, const Scheme2& scheme) {
+  const std::string& name = arguments.boundary;
+  if (name == "open") return Ends::Open;
+  if (name == "zero") return Ends::Zero;
+  if (name == "periodic") return Ends::Periodic;
+  if (name == "reflect") return Ends::Reflect;
+  return is_even(scheme) ? Ends::Reflect : Ends::Open;
+}
+
+ControlGrid grid_of(const NumberMatrix& matrix) {
+  return {.components = {Eigen::Map<const Eigen::MatrixXd>(matrix.values.data(), matrix.columns, matrix.rows)}};
+}
+
+GridSamples samples_of(const ControlGrid& grid) {
+  const Eigen::MatrixXd& values = grid.components[0];
+  GridSamples samples{.points = {static_cast<int>(values.rows()), static_cast<int>(values.cols())},
+                      .origin = grid.start,
+                      .spacing = grid.spacing};
+  samples.arrays = {{"value", 1, {values.data(), values.data() + values.size()}}};
+  return samples;
+}
+
+void write_results(const SubdivideArguments& arguments, const Scheme2& scheme, const GridSamples& samples) {
+  if (is_table(arguments.output)) {
+    write_table(arguments.output, samples);
+  } else {
+    const auto [x, y] = samples.origin;
+    Record record{.kind = "subdivided grid",
+                  .region = {x, x + samples.spacing[0] * (samples.points[0] - 1), y,
+                             y + samples.spacing[1] * (samples.points[1] - 1)}};
+    record.texts = {{"scheme", scheme.name()}, {"program", "batten " BATTEN_VERSION}};
+    record.numbers = {{"levels", static_cast<double>(arguments.levels)}};
+    write_image(arguments.output, samples, record);
+  }
+  if (arguments.picture.empty()) return;
+  PictureOptions options;
+  options.view = arguments.view == "map" ? PictureOptions::View::Map : PictureOptions::View::Surface;
+  options.title = scheme.name() + ", " + std::to_string(arguments.levels) + " levels";
+  write_picture(arguments.picture, samples, {}, options);
+}
+
+}  // namespace
+
+void subdivide_grid(const SubdivideArguments& arguments) {
+  check_output_name("-o", arguments.output, {".vti", ".csv"});
+  check_output_name("--picture", arguments.picture, {".png"});
+  Progress progress("batten subdivide", arguments.quiet);
+  progress.show("make the scheme");
+  const Scheme2 scheme = grid_scheme(arguments.scheme);
+  require_affine_invariance(scheme);
+  progress.show("read");
+  const ControlGrid control = grid_of(read_matrix(arguments.input));
+  progress.show("subdivide");
+  const Ends ends = ends_of(arguments, scheme);
+  const ControlGrid fine = subdivided(scheme, control, {.levels = arguments.levels, .x = ends, .y = ends});
+  progress.show("write " + arguments.output);
+  const GridSamples samples = samples_of(fine);
+  write_results(arguments, scheme, samples);
+  progress.erase();
+  if (arguments.quiet) return;
+  const Eigen::MatrixXd &before = control.components[0], &after = fine.components[0];
+  std::cout << scheme.name() << ": " << before.rows() << " x " << before.cols() << " values -> " << after.rows()
+            << " x " << after.cols() << ", from " << number_text(after.minCoeff(), 6) << " to "
+            << number_text(after.maxCoeff(), 6) << "; wrote " << arguments.output << '\n';
+}
+
+}  // namespace batten

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/app/scheme_arguments.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace batten {
+
+/// The command line of `batten subdivide`.
+struct SubdivideArguments {
+  std::string input;
+  SchemeArguments scheme;
+  int levels = 3;
+  std::string boundary;  ///< of grids
+  // Curves.
+  std::vector<std::string> columns;  ///< of the points; empty: x, y, z or the first ones
+  std::string parameter = "uniform";
+  bool closed = false;
+  bool interpolate = false;
+  std::optional<double> smoothing, tolerance;
+  bool limit = false;
+  std::string show = "result";
+  // What is written.
+  std::string output, picture, view = "surface";
+  int threads = 0;
+  bool quiet = false;
+};
+
+}  // namespace batten
