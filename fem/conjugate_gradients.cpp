@@ -70,7 +70,8 @@ struct LevelSystem {
   const Multigrid& system;
   std::size_t level;
 
-  void apply(std::span<const double> c, std::span<double> out) const { system.apply(c, out, level); }
+  /// out = A c; returns c·A c.
+  double apply(std::span<const double> c, std::span<double> out) const { return system.apply(c, out, level); }
   /// z = B r; returns r·z.
   double precondition(const Vector& r, Vector& z) const {
     system.precondition(r, z, level);
@@ -104,8 +105,7 @@ bool run(const LevelSystem& system, std::span<const double> b, std::span<double>
   bool guessed = false, is_true = false;
   while (iterations < most_iterations) {
     ++iterations;
-    system.apply(p, q);
-    const double curvature = dot(p, q);
+    const double curvature = system.apply(p, q);
     if (!(curvature > 0) || !(rz > 0))
       throw SolverError("solve: expected a positive definite system, found a direction of energy " +
                         std::to_string(curvature));

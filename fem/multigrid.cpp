@@ -115,8 +115,7 @@ void Multigrid::cycle(std::size_t k, std::span<const double> r) const {
   levels_[k].smooth_first(degree_, r, work);
   level.restriction->apply(work.r, work_[k + 1].r);
   cycle(k + 1, work_[k + 1].r);
-  level.refinement->apply(work_[k + 1].x, work.z);
-  levels_[k].smooth_last(degree_, work);
+  levels_[k].smooth_last(degree_, work_[k + 1].x, work);
 }
 
 }  // namespace batten

@@ -36,9 +36,9 @@ public:
   /// the component in its null space alone, which the right-hand side does not hold.
   bool can_predict() const { return can_predict_; }
 
-  /// out = A c on a level.
-  void apply(std::span<const double> c, std::span<double> out, std::size_t level = 0) const {
-    levels_[level].apply(c, out);
+  /// out = A c on a level. Returns c · A c.
+  double apply(std::span<const double> c, std::span<double> out, std::size_t level = 0) const {
+    return levels_[level].apply(c, out);
   }
   /// out = V-cycle from this level down, applied to r; the direct solution on the coarsest. For a very large λ it acts
   /// in the complement of the null space of the energy.
