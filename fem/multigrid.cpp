@@ -19,7 +19,9 @@ constexpr double largest_predicted_stiffness = 1e8;
 }  // namespace
 
 Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
-    : hierarchy_(&hierarchy), degree_(smoothing_degree(hierarchy.degree())) {
+    : hierarchy_(&hierarchy),
+      vectors_(static_cast<std::size_t>(hierarchy.size())),
+      degree_(smoothing_degree(hierarchy.degree())) {
   for (int k = 0; k < hierarchy.size(); ++k) {
     levels_.emplace_back(hierarchy[k], points, k + 1 == hierarchy.size());
     work_.emplace_back(hierarchy[k].space.size());
