@@ -124,7 +124,7 @@ void DataTerm::add_normal_row(int j, RowRange range, double factor, std::span<co
                               std::span<double> out) const {
   if (size() == 0) return;
   if (stored_) return stencil_.add_row(j, factor, c, out.data() + static_cast<std::ptrdiff_t>(j) * space_.x.size());
-  // a cell row adds to d rows above it; those of the cell rows below the range are left to it
+  // cell row j adds to rows j .. j + d; the first row of the range also needs those before it
   const int first = j > range.begin ? j : std::max(0, j - space_.y.degree());
   for_rows(std::min(first, space_.y.interval().cells()), std::min(j + 1, space_.y.interval().cells()),
            [&](std::size_t point, std::span<const PointRow> rows) {
