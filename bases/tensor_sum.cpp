@@ -187,14 +187,22 @@ template <int terms>
   const auto& x = term[0].x;
   for (std::size_t t = 0; t < terms; ++t)
     task.y_weights[t] = term[t].y.weights.data() + static_cast<std::ptrdiff_t>(j) * y.width;
-  in += static_cast<std::ptrdiff_t>(y.first[static_cast<std::size_t>(j)]) * x.columns;
+  int width = y.width, skipped = 0;
+  const auto vanishes = [&](int q) {
+    return std::all_of(task.y_weights.begin(), task.y_weights.begin() + terms,
+                       [q](const double* w) { return w[q] == 0; });
+  };
+  while (width > 1 && vanishes(width - 1)) --width;
+  for (; width > 1 && vanishes(0); --width, ++skipped)
+    for (std::size_t t = 0; t < terms; ++t) ++task.y_weights[t];
+  in += static_cast<std::ptrdiff_t>(y.first[static_cast<std::size_t>(j)] + skipped) * x.columns;
   const int piece = piece_inputs / x.shift * x.period;
   for (int from = 0, to = 0; from < x.rows; from = to) {
     const bool repeat = from >= x.begin && from < x.end;
     to = std::min(from + (repeat ? piece : piece_inputs / 4), repeat ? x.end : from < x.begin ? x.begin : x.rows);
     const int input = x.first[static_cast<std::size_t>(from)];
     const int inputs = x.first[static_cast<std::size_t>(to - 1)] + x.width - input;
-    dispatch_combine<terms>(y.width, task, in + input, x.columns, inputs);
+    dispatch_combine<terms>(width, task, in + input, x.columns, inputs);
     if (!repeat || !repeating_rows<terms>(term, task, from, to, input, out))
       single_rows<terms>(term, task, from, to, input, out);
   }

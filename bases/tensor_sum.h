@@ -31,7 +31,8 @@ public:
   std::size_t output_size() const { return static_cast<std::size_t>(output_columns()) * output_rows(); }
   std::span<const Term> terms() const { return terms_; }
 
-  /// Row j of the result for the input grid: writes output_columns() numbers to `out`. Allocates nothing; one thread.
+  /// Row j of the result for the input grid: writes output_columns() numbers to `out`. Rows of the input whose weights
+  /// vanish at the ends of the band are not read. Allocates nothing; one thread.
   void row(int j, const double* in, double* out) const;
   /// out = (this) in; all threads, the same bits for every thread count.
   void apply(std::span<const double> in, std::span<double> out) const;

@@ -70,7 +70,9 @@ struct LevelSystem {
   const Multigrid& system;
   std::size_t level;
 
-  void apply(std::span<const double> c, std::span<double> out) const { system.apply(c, out, level); }
+  /// out = A c; returns c·A c.
+  double apply(std::span<const double> c, std::span<double> out) const { return system.apply(c, out, level); }
+  Multigrid::Vectors& vectors() const { return system.vectors(level); }
   /// z = B r; returns r·z.
   double precondition(const Vector& r, Vector& z) const {
     system.precondition(r, z, level);
@@ -86,10 +88,9 @@ struct LevelSystem {
   }
 };
 
-/// What conjugate gradients carry from one run to the next: the residual r, z = B r and rz = r·z.
+/// What conjugate gradients carry from one run to the next besides their vectors, the residual r and z = B r.
 struct State {
-  Vector r, z;
-  double rz = 0;
+  double rz = 0;  ///< r·z
   int iterations = 0;
 };
 
@@ -98,14 +99,14 @@ struct State {
 /// which saves a V-cycle; one more step may follow, in case it was not the last. Returns whether r is the true one.
 bool run(const LevelSystem& system, std::span<const double> b, std::span<double> c, double goal, int most_iterations,
          State& state) {
-  auto& [r, z, rz, iterations] = state;
-  Vector p = z, q(z.size());
+  auto& [rz, iterations] = state;
+  auto& [r, z, p, q] = system.vectors();
+  p.assign(z.begin(), z.end());
   double factor = 0.3;
   bool guessed = false, is_true = false;
   while (iterations < most_iterations) {
     ++iterations;
-    system.apply(p, q);
-    const double curvature = dot(p, q);
+    const double curvature = system.apply(p, q);
     if (!(curvature > 0) || !(rz > 0))
       throw SolverError("solve: expected a positive definite system, found a direction of energy " +
                         std::to_string(curvature));
@@ -130,8 +131,11 @@ bool run(const LevelSystem& system, std::span<const double> b, std::span<double>
 /// sqrt(r·Br).
 IterationResult iterate(const LevelSystem& system, std::span<const double> b, std::span<double> c,
                         const IterationLimits& limits, double scale) {
-  State state{{b.begin(), b.end()}, Vector(b.size())};
-  auto& [r, z, rz, iterations] = state;
+  auto& [r, z, p, q] = system.vectors();
+  State state;
+  auto& [rz, iterations] = state;
+  r.assign(b.begin(), b.end());
+  q.resize(b.size());
   if (!is_zero(c)) system.residual(b, c, r);
   rz = system.precondition(r, z);
   if (scale == 0) scale = std::sqrt(rz);
@@ -151,23 +155,19 @@ constexpr double predictor_accuracy = 0.2;  // on each coarse level, relative to
 /// Full multigrid: the solution on the coarsest level is refined and improved level by level. `c` receives the start
 /// for the finest level. Returns the V-cycles spent, in units of the finest level.
 double predict(const Multigrid& system, std::span<const double> b, std::span<double> c) {
-  std::vector<Vector> right(system.levels());
-  right[0].assign(b.begin(), b.end());
+  std::vector<Vector> right(system.levels()), solution(system.levels());  // of the levels below the finest
   for (std::size_t k = 1; k < right.size(); ++k) {
     right[k].resize(system.size(k));
-    system.hierarchy()[static_cast<int>(k) - 1].restriction->apply(right[k - 1], right[k]);
+    solution[k].resize(system.size(k));
+    system.hierarchy()[static_cast<int>(k) - 1].restriction->apply(k == 1 ? b : right[k - 1], right[k]);
   }
   double work = 0;
-  Vector coarse(system.size(right.size() - 1)), fine;
   for (std::size_t k = right.size() - 1; k > 0; --k) {
     const auto spent =
-        iterate({system, k}, right[k], coarse, {.accuracy = predictor_accuracy, .most_iterations = 20}, 0);
+        iterate({system, k}, right[k], solution[k], {.accuracy = predictor_accuracy, .most_iterations = 20}, 0);
     work += (spent.iterations + 1.) * static_cast<double>(system.size(k)) / static_cast<double>(system.size());
-    fine.resize(system.size(k - 1));
-    system.hierarchy()[static_cast<int>(k) - 1].refinement->apply(coarse, fine);
-    std::swap(coarse, fine);
+    system.hierarchy()[static_cast<int>(k) - 1].refinement->apply(solution[k], k == 1 ? c : solution[k - 1]);
   }
-  std::copy(coarse.begin(), coarse.end(), c.begin());
   return work;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/blocks.h>
+#include <batten/bases/wavefront.h>
 #include <batten/fem/data_term.h>
 
 #include <algorithm>
@@ -114,13 +115,21 @@ void DataTerm::add_adjoint(std::span<const double> v, std::span<double> c) const
 }
 
 void DataTerm::add_normal(double factor, std::span<const double> c, std::span<double> out) const {
-  if (size() == 0) return;
-  if (stored_) return stencil_.add_product(factor, c, out);
-  for_alternating_blocks(cell_row_blocks(space_), [&](int begin, int end) {
-    for_rows(begin, end, [&](std::size_t first, std::span<const PointRow> rows) {
-      add_point_products(grid(), rows, weights_.data() + first, factor, c.data(), out.data());
-    });
+  Wavefront(space_.y.size(), 1, space_.y.degree()).run([&](int, int j, RowRange range) {
+    add_normal_row(j, range, factor, c, out);
   });
+}
+
+void DataTerm::add_normal_row(int j, RowRange range, double factor, std::span<const double> c,
+                              std::span<double> out) const {
+  if (size() == 0) return;
+  if (stored_) return stencil_.add_row(j, factor, c, out.data() + static_cast<std::ptrdiff_t>(j) * space_.x.size());
+  // cell row j adds to rows j .. j + d; the first row of the range also needs those before it
+  const int first = j > range.begin ? j : std::max(0, j - space_.y.degree());
+  for_rows(std::min(first, space_.y.interval().cells()), std::min(j + 1, space_.y.interval().cells()),
+           [&](std::size_t point, std::span<const PointRow> rows) {
+             add_point_products(grid(), rows, weights_.data() + point, factor, c.data(), out.data(), range);
+           });
 }
 
 }  // namespace batten

@@ -43,6 +43,9 @@ public:
   void add_adjoint(std::span<const double> v, std::span<double> c) const;
   /// out += factor Σ_i w_i b_i (b_i · c)
   void add_normal(double factor, std::span<const double> c, std::span<double> out) const;
+  /// The same for the rows of a range, upwards: row j is complete after the call for j. Reads rows j - d .. j + d of c,
+  /// at the first row of the range too, and adds to rows j .. j + d of out, as far as they belong to the range.
+  void add_normal_row(int j, RowRange range, double factor, std::span<const double> c, std::span<double> out) const;
 
   /// b_i of one point.
   PointRow row(std::size_t point) const;

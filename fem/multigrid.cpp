@@ -19,7 +19,9 @@ constexpr double largest_predicted_stiffness = 1e8;
 }  // namespace
 
 Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
-    : hierarchy_(&hierarchy), degree_(smoothing_degree(hierarchy.degree())) {
+    : hierarchy_(&hierarchy),
+      vectors_(static_cast<std::size_t>(hierarchy.size())),
+      degree_(smoothing_degree(hierarchy.degree())) {
   for (int k = 0; k < hierarchy.size(); ++k) {
     levels_.emplace_back(hierarchy[k], points, k + 1 == hierarchy.size());
     work_.emplace_back(hierarchy[k].space.size());
@@ -115,8 +117,7 @@ void Multigrid::cycle(std::size_t k, std::span<const double> r) const {
   levels_[k].smooth_first(degree_, r, work);
   level.restriction->apply(work.r, work_[k + 1].r);
   cycle(k + 1, work_[k + 1].r);
-  level.refinement->apply(work_[k + 1].x, work.z);
-  levels_[k].smooth_last(degree_, work);
+  levels_[k].smooth_last(degree_, work_[k + 1].x, work);
 }
 
 }  // namespace batten

@@ -36,13 +36,20 @@ public:
   /// the component in its null space alone, which the right-hand side does not hold.
   bool can_predict() const { return can_predict_; }
 
-  /// out = A c on a level.
-  void apply(std::span<const double> c, std::span<double> out, std::size_t level = 0) const {
-    levels_[level].apply(c, out);
+  /// out = A c on a level. Returns c · A c.
+  double apply(std::span<const double> c, std::span<double> out, std::size_t level = 0) const {
+    return levels_[level].apply(c, out);
   }
   /// out = V-cycle from this level down, applied to r; the direct solution on the coarsest. For a very large λ it acts
   /// in the complement of the null space of the energy.
   void precondition(std::span<const double> r, std::vector<double>& out, std::size_t level = 0) const;
+
+  /// The vectors of conjugate gradients on a level, kept from solve to solve: to touch fresh memory takes as long as an
+  /// iteration.
+  struct Vectors {
+    std::vector<double> r, z, p, q;
+  };
+  Vectors& vectors(std::size_t level) const { return vectors_[level]; }
 
   /// Set for a very large λ only: `solve` finds the component in the null space from it.
   const std::optional<NullProjection>& null_projection() const { return null_projection_; }
@@ -57,6 +64,7 @@ private:
   std::optional<SparseCholesky> coarsest_;
   std::optional<NullProjection> null_projection_;
   mutable std::vector<Smoother::Work> work_;
+  mutable std::vector<Vectors> vectors_;
   int degree_;         // of the smoothing polynomials
   double lambda_ = 0;  // none is set
   bool data_aware_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/fem/point_kernels.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace batten {
@@ -37,6 +38,18 @@ template <int functions>
   const Four x = v * load<4>(row.x.data());
   for (int b = 0; b < functions; ++b, c += stride)
     store<functions>(c, load<functions>(c) + row.y[static_cast<std::size_t>(b)] * x);
+}
+
+template <int functions>
+[[gnu::always_inline]] inline void add_within(const PointRow& row, std::ptrdiff_t stride, double v, double* c,
+                                              RowRange rows) {
+  if (row.first_y >= rows.begin && row.first_y + functions <= rows.end) return add<functions>(row, stride, v, c);
+  const Four x = v * load<4>(row.x.data());
+  const int from = std::max(rows.begin - row.first_y, 0), to = std::min(rows.end - row.first_y, functions);
+  for (int b = from; b < to; ++b) {
+    double* at = c + (row.first_y + b) * stride + row.first_x;
+    store<functions>(at, load<functions>(at) + row.y[static_cast<std::size_t>(b)] * x);
+  }
 }
 
 template <std::size_t n>
@@ -78,13 +91,13 @@ void add_point_values(const PointGrid& grid, std::span<const PointRow> rows, con
 [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #endif
 void add_point_products(const PointGrid& grid, std::span<const PointRow> rows, const double* w, double factor,
-                        const double* c, double* out) {
+                        const double* c, double* out, RowRange within) {
   if (grid.functions == 4)
     for (std::size_t i = 0; i < rows.size(); ++i)
-      add<4>(rows[i], grid.stride, factor * w[i] * value<4>(rows[i], grid.stride, c), out);
+      add_within<4>(rows[i], grid.stride, factor * w[i] * value<4>(rows[i], grid.stride, c), out, within);
   else
     for (std::size_t i = 0; i < rows.size(); ++i)
-      add<3>(rows[i], grid.stride, factor * w[i] * value<3>(rows[i], grid.stride, c), out);
+      add_within<3>(rows[i], grid.stride, factor * w[i] * value<3>(rows[i], grid.stride, c), out, within);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)

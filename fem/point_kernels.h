@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/bases/wavefront.h>
+
 #include <array>
 #include <cstddef>
 #include <span>
@@ -23,9 +25,9 @@ struct PointGrid {
 void point_values(const PointGrid& grid, std::span<const PointRow> rows, const double* c, double* out);
 /// c += Σ_i v_i b_i
 void add_point_values(const PointGrid& grid, std::span<const PointRow> rows, const double* v, double* c);
-/// out += factor Σ_i w_i b_i (b_i · c)
+/// out += factor Σ_i w_i b_i (b_i · c), in the rows `within` of out only.
 void add_point_products(const PointGrid& grid, std::span<const PointRow> rows, const double* w, double factor,
-                        const double* c, double* out);
+                        const double* c, double* out, RowRange within);
 
 /// Sum of the products of one cell's points: entry [b][f][a][e] is Σ_i w_i y_b y_f x_a x_e, for b <= f.
 using CellSum = std::array<double, 256>;

@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include <batten/bases/blocks.h>
+#include <batten/bases/wavefront.h>
 #include <batten/fem/smoother.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace batten {
 namespace {
+
+/// r = b, z = x = gain D^-1 b
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void start_row(double gain, const double* inverse, const double* b, double* r, double* __restrict z,
+               double* __restrict x, std::ptrdiff_t n) {
+#pragma omp simd
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    r[i] = b[i];  // b may be r
+    z[i] = x[i] = gain * inverse[i] * r[i];
+  }
+}
 
 struct RowUpdate {
   double lambda, keep, gain, old;
@@ -35,7 +49,10 @@ Eigen::SparseMatrix<double> from_columns(int size, std::vector<int>& starts, std
 }  // namespace
 
 Smoother::Smoother(const Hierarchy::Level& level, const GridPoints& points, bool stored)
-    : level_(&level), data_(level.space, points, stored), energy_diagonal_(level.energy.diagonal()) {}
+    : level_(&level),
+      data_(level.space, points, stored),
+      energy_diagonal_(level.energy.diagonal()),
+      row_sums_(static_cast<std::size_t>(level.space.y.size())) {}
 
 void Smoother::set(double lambda, std::span<const double> weights, Kind kind) {
   lambda_ = lambda;
@@ -128,17 +145,24 @@ void Smoother::factor_grid() {
   grid_factor_.emplace(from_columns(nx * ny, starts, indices, values));
 }
 
-void Smoother::apply(std::span<const double> c, std::span<double> out) const {
+double Smoother::apply(std::span<const double> c, std::span<double> out) const {
   const auto& products = level_->energy.products();
   const std::ptrdiff_t n = products.output_columns();
-  for_blocks(RowBlocks(products.output_rows(), products.output_columns()), [&](int begin, int end) {
-    for (int j = begin; j < end; ++j) {
-      double* row = out.data() + j * n;
+  Wavefront(products.output_rows(), 2, level_->space.y.degree()).run([&](int stage, int j, RowRange range) {
+    const double* in = c.data() + j * n;
+    double* row = out.data() + j * n;
+    if (stage == 0) {
       products.row(j, c.data(), row);
       for (std::ptrdiff_t i = 0; i < n; ++i) row[i] *= lambda_;
+      return;
     }
+    data_.add_normal_row(j, range, 1, c, out);
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (std::ptrdiff_t i = 0; i < n; ++i) sum += in[i] * row[i];
+    row_sums_[static_cast<std::size_t>(j)] = sum;
   });
-  data_.add_normal(1, c, out);
+  return std::accumulate(row_sums_.begin(), row_sums_.end(), 0.);
 }
 
 void Smoother::precondition(std::span<const double> r, std::span<double> out) const {
@@ -163,71 +187,81 @@ void Smoother::precondition(std::span<const double> r, std::span<double> out) co
 /// Steps of the Chebyshev polynomial of the fourth kind on (0, 1]; one of them is given to the zero at 1 if the data
 /// are exact.
 std::vector<Smoother::Step> Smoother::chebyshev_steps(int degree) const {
-  const bool aware = points_factor_ || grid_factor_;
   std::vector<Step> steps;
-  for (int i = 0; i < (aware ? degree - 1 : degree); ++i)
+  for (int i = 0; i < (is_data_aware() ? degree - 1 : degree); ++i)
     steps.push_back({i == 0 ? 0. : (2. * i - 1) / (2. * i + 3), i == 0 ? 4. / 3 : (8. * i + 4) / (2. * i + 3)});
-  if (aware) steps.push_back({0., 1.});
+  if (is_data_aware()) steps.push_back({0., 1.});
   return steps;
 }
 
-/// r -= A z
-void Smoother::subtract_product(Work& work) const {
-  advance({0, 0}, false, work);
-  std::swap(work.z, work.next);
-}
-
-void Smoother::start(Step step, std::span<const double> r, Work& work) const {
-  const bool aware = points_factor_ || grid_factor_;
-  if (aware) precondition(r, work.z);
-  const double* inverse = inverse_diagonal_.data();
-  const auto n = static_cast<std::ptrdiff_t>(size());
-#pragma omp parallel for simd schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    work.r[k] = r[k];
-    work.x[k] = work.z[k] = step.gain * (aware ? work.z[k] : inverse[k] * r[k]);
-  }
-}
-
-void Smoother::advance(Step step, bool add_old, Work& work) const {
-  data_.add_normal(-1, work.z, work.r);
-  const bool aware = points_factor_ || grid_factor_;
+void Smoother::advance_row(const Step& step, const std::vector<double>& z, std::vector<double>& next, int j,
+                           RowRange range, Work& work) const {
   const auto& products = level_->energy.products();
-  const std::ptrdiff_t n = products.output_columns();
-  const RowUpdate update{lambda_, step.keep, aware ? 0 : step.gain, add_old ? 1. : 0.};
-  for_blocks(RowBlocks(products.output_rows(), products.output_columns()), [&](int begin, int end) {
-    for (int j = begin; j < end; ++j) {
-      double* next = work.next.data() + j * n;
-      products.row(j, work.z.data(), next);
-      update_row(update, inverse_diagonal_.data() + j * n, work.z.data() + j * n, next, work.r.data() + j * n,
-                 work.x.data() + j * n, n);
-    }
-  });
-  std::swap(work.z, work.next);
-  if (!aware || step.gain == 0) return;
-  precondition(work.r, work.next);
-  const auto size = static_cast<std::ptrdiff_t>(work.z.size());
+  const std::ptrdiff_t n = products.output_columns(), at = j * n;
+  data_.add_normal_row(j, range, -1, z, work.r);
+  products.row(j, z.data(), next.data() + at);
+  const RowUpdate update{lambda_, step.keep, is_data_aware() ? 0 : step.gain, step.old};
+  update_row(update, inverse_diagonal_.data() + at, z.data() + at, next.data() + at, work.r.data() + at,
+             work.x.data() + at, n);
+}
+
+/// Adds gain M^-1 r to z and x.
+void Smoother::add_exact(double gain, std::vector<double>& z, std::vector<double>& buffer, Work& work) const {
+  precondition(work.r, buffer);
+  const auto size = static_cast<std::ptrdiff_t>(z.size());
 #pragma omp parallel for simd schedule(static)
   for (std::ptrdiff_t i = 0; i < size; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const double more = step.gain * work.next[k];
-    work.z[k] += more;
+    const double more = gain * buffer[k];
+    z[k] += more;
     work.x[k] += more;
   }
 }
 
-void Smoother::smooth_first(int degree, std::span<const double> r, Work& work) const {
-  const auto steps = chebyshev_steps(degree);
-  start(steps.front(), r, work);
-  for (std::size_t i = 1; i < steps.size(); ++i) advance(steps[i], false, work);
-  subtract_product(work);
+/// The steps after first(j, z), which makes row j of r, x and z as the first of the steps asks. They share one pass
+/// over memory, unless each ends with an exact solution for all rows.
+template <typename First>
+void Smoother::run(std::span<const Step> steps, First&& first, Work& work) const {
+  const int rows = level_->space.y.size(), reach = level_->space.y.degree(), count = static_cast<int>(steps.size());
+  const auto row = [&](int step, int j, RowRange range) {
+    auto& next = work.z[static_cast<std::size_t>(step % 2)];
+    if (step == 0) return first(j, next);
+    advance_row(steps[static_cast<std::size_t>(step)], work.z[static_cast<std::size_t>((step + 1) % 2)], next, j, range,
+                work);
+  };
+  if (!is_data_aware()) return Wavefront(rows, count, reach).run(row);
+  for (int step = 0; step < count; ++step) {
+    Wavefront(rows, 1, reach).run([&](int, int j, RowRange range) { row(step, j, range); });
+    const double gain = steps[static_cast<std::size_t>(step)].gain;
+    if (gain != 0)
+      add_exact(gain, work.z[static_cast<std::size_t>(step % 2)], work.z[static_cast<std::size_t>((step + 1) % 2)],
+                work);
+  }
 }
 
-void Smoother::smooth_last(int degree, Work& work) const {
+void Smoother::smooth_first(int degree, std::span<const double> r, Work& work) const {
   auto steps = chebyshev_steps(degree);
-  if (points_factor_ || grid_factor_) std::rotate(steps.begin(), steps.end() - 1, steps.end());
-  for (std::size_t i = 0; i < steps.size(); ++i) advance(steps[i], i == 0, work);
+  steps.push_back({});  // the residual
+  const std::ptrdiff_t n = level_->space.x.size();
+  const double gain = is_data_aware() ? 0 : steps.front().gain;
+  run(
+      steps,
+      [&](int j, std::vector<double>& z) {
+        const std::ptrdiff_t at = j * n;
+        start_row(gain, inverse_diagonal_.data() + at, r.data() + at, work.r.data() + at, z.data() + at,
+                  work.x.data() + at, n);
+      },
+      work);
+}
+
+void Smoother::smooth_last(int degree, std::span<const double> coarse, Work& work) const {
+  auto steps = chebyshev_steps(degree);
+  if (is_data_aware()) std::rotate(steps.begin(), steps.end() - 1, steps.end());
+  steps.front().old = 1;                // the correction
+  steps.insert(steps.begin(), Step{});  // which is refined first
+  const std::ptrdiff_t n = level_->space.x.size();
+  run(
+      steps, [&](int j, std::vector<double>& z) { level_->refinement->row(j, coarse.data(), z.data() + j * n); }, work);
 }
 
 }  // namespace batten

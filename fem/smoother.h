@@ -5,6 +5,7 @@
 #include <batten/fem/hierarchy.h>
 #include <batten/fem/sparse_cholesky.h>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,28 +46,32 @@ public:
   /// The largest diagonal entry of λ E times the number of coefficients: the energy against the data.
   double stiffness() const;
 
-  /// out = A c
-  void apply(std::span<const double> c, std::span<double> out) const;
+  /// out = A c. Returns c · A c.
+  double apply(std::span<const double> c, std::span<double> out) const;
 
-  /// Buffers of one level, each of size().
+  /// Buffers of one level, each of size(). Each step of the smoothing reads one z and writes the other.
   struct Work {
-    std::vector<double> x, r, z, next;
-    explicit Work(std::size_t size) : x(size), r(size), z(size), next(size) {}
+    std::vector<double> x, r;
+    std::array<std::vector<double>, 2> z;
+    explicit Work(std::size_t size) : x(size), r(size), z{std::vector<double>(size), std::vector<double>(size)} {}
   };
   /// x = p(A) r and work.r = r - A x: smoothing from zero. `degree` applications of A. r may be work.r.
   void smooth_first(int degree, std::span<const double> r, Work& work) const;
-  /// x += z, a correction that r does not yet know of, then smooths. `degree` applications of A; r is left unfinished.
-  void smooth_last(int degree, Work& work) const;
+  /// Adds the correction of the coarser level to x, then smooths. `degree` applications of A; r is left unfinished.
+  void smooth_last(int degree, std::span<const double> coarse, Work& work) const;
 
 private:
-  /// z <- keep z + gain M^-1 r
+  /// r -= A z; z <- keep z + gain M^-1 r; x += old z + new z
   struct Step {
-    double keep, gain;
+    double keep = 0, gain = 0, old = 0;
   };
+  bool is_data_aware() const { return points_factor_ || grid_factor_; }
   std::vector<Step> chebyshev_steps(int degree) const;
-  void start(Step step, std::span<const double> r, Work& work) const;
-  void advance(Step step, bool add_old, Work& work) const;
-  void subtract_product(Work& work) const;
+  template <typename First>
+  void run(std::span<const Step> steps, First&& first, Work& work) const;
+  void advance_row(const Step& step, const std::vector<double>& z, std::vector<double>& next, int j, RowRange range,
+                   Work& work) const;
+  void add_exact(double gain, std::vector<double>& z, std::vector<double>& buffer, Work& work) const;
   void precondition(std::span<const double> r, std::span<double> out) const;
   void set_diagonal(Kind kind);
   void factor_points();
@@ -80,6 +85,7 @@ private:
   std::optional<SparseCholesky> points_factor_;  // of K
   std::optional<SparseCholesky> grid_factor_;    // of M, where points outnumber coefficients
   mutable std::vector<double> point_values_;     // buffer of `precondition`
+  mutable std::vector<double> row_sums_;         // buffer of `apply`
 };
 
 }  // namespace batten

@@ -29,6 +29,7 @@ double data_traffic(const Multigrid& system, int level) {
 //   first step          z = gain r / D, x = z                                   reads r, D; writes z, x           4
 //   every other step    r -= A z, z = keep z + gain r / D, x += z               reads z, r, x, D; writes z, r, x  7
 //   before restriction  r -= A z                                                reads z, r; writes r              3
+// Steps that share a pass (bases/wavefront.h) move less than that: the count stays what it was, one pass for each step.
 //   transfers           read r here, write it below; read x below, write z here
 // The coarsest level is solved directly; its vectors and factor are small and not counted.
 double cycle_traffic(const Multigrid& system) {
