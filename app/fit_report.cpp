@@ -66,6 +66,7 @@ Json report_json(const FitAccount& account) {
   json["max_residual"] = worst_point_json(account);
   json["iterations"] = result.iterations;
   json["search_iterations"] = result.search_iterations;
+  json["refinement_iterations"] = result.refinement_iterations;
   json["accuracy"] = result.accuracy;
   json["seconds"] = seconds_json(account);
   json["peak_memory_bytes"] = static_cast<std::int64_t>(peak_memory());

@@ -179,9 +179,10 @@ CrossValidationResult cross_validate(FitProblem& problem, const FitData& data, c
   CrossValidationResult result;
   result.effective_degrees = static_cast<double>(data.size()) * (1 - score(found).free);
   double log_lambda = found;
-  if (!last_grid && found > bottom) log_lambda = std::max(bottom, refined(found, score, problem, options, result.work));
-  result.work +=
-      score.work() * static_cast<double>(searched.system().size()) / static_cast<double>(problem.system().size());
+  if (!last_grid && found > bottom)
+    log_lambda = std::max(bottom, refined(found, score, problem, options, result.refinement_work));
+  result.work = result.refinement_work + score.work() * static_cast<double>(searched.system().size()) /
+                                             static_cast<double>(problem.system().size());
   if (last_grid) result.start = score.last_solution();
   result.interior = log_lambda > bottom;
   result.lambda = result.interior ? std::pow(10., log_lambda) : smallest_lambda;

@@ -14,7 +14,8 @@ struct CrossValidationResult {
   double lambda = 0;
   double effective_degrees = 0;  ///< trace of the influence matrix at lambda, estimated
   bool interior = true;          ///< false if the minimum is at the lower end of the range
-  double work = 0;               ///< V-cycles spent, in units of a V-cycle of the last grid
+  double work = 0;               ///< V-cycles spent, in units of a V-cycle of the last grid, and of these ...
+  double refinement_work = 0;    ///< ... on the last grid after a search on a coarser one
   std::vector<double> start;     ///< coefficients close to the solution, if the search ran on the last grid
 };
 

@@ -82,6 +82,7 @@ ScaledFit solve_automatic(FitProblem& problem, const FitData& data, const FitOpt
   result.effective_degrees = found.effective_degrees;
   result.no_interior_minimum = !found.interior;
   result.search_iterations = static_cast<int>(std::ceil(found.work));
+  result.refinement_iterations = static_cast<int>(std::ceil(found.refinement_work));
   if (!found.interior)
     result.notes.push_back("cross-validation: no interior minimum, lambda is the lower end " + text(found.lambda) +
                            " of its range (the data look exact)");

@@ -71,6 +71,7 @@ struct FitResult {
   bool tolerance_reached = true;       ///< false if Smoothing::within could not be met on this grid
   int iterations = 0;                  ///< V-cycles of the final solves
   int search_iterations = 0;           ///< V-cycles of cross-validation, in units of the finest grid's work, rounded up
+  int refinement_iterations = 0;       ///< those of them that refined λ on the finest grid
   double accuracy = 0;                 ///< estimated relative error in the energy norm
   std::vector<double> fitted;          ///< p at all observations; NaN outside the region
   std::vector<double> standard_error;  ///< at the corners of the cells, x fastest, if it was asked for

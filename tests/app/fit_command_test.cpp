@@ -148,7 +148,8 @@ TEST(FitCommand, report_holds_the_numbers_of_the_fit) {
   for (const char* const key : {"lambda", "energy", "rms_residual", "effective_degrees", "peak_memory_bytes"}) {
     EXPECT_GT(report.at(key), 0) << key;
   }
-  for (const char* const key : {"iterations", "search_iterations", "accuracy", "notes", "warnings"}) {
+  for (const char* const key :
+       {"iterations", "search_iterations", "refinement_iterations", "accuracy", "notes", "warnings"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
   for (const char* const key : {"read", "write", "total"}) EXPECT_GE(report["seconds"].at(key), 0) << key;

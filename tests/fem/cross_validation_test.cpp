@@ -116,6 +116,8 @@ TEST(CrossValidation, refinement_on_the_last_grid_costs_about_five_solves) {
   FitOptions options;
   const auto r = fit_surface(noisy(1000, 7, 0.1), unit_square(256, 256), options);
   EXPECT_LT(r.search_iterations, 10 * r.iterations);
+  EXPECT_GT(r.refinement_iterations, 0);
+  EXPECT_LE(r.refinement_iterations, 5 * r.iterations);  // about five solves at the chosen λ
 }
 
 TEST(StandardError, is_that_of_the_dense_formula) {
