@@ -49,12 +49,13 @@ EnergyLevels energy_levels(const std::vector<SplineLevel>& levels) {
   if (levels.empty()) throw InvalidInput("energy_levels: expected at least one level, found none");
   EnergyLevels result;
   for (const SplineLevel& level : levels) result.levels.push_back({level.energy(), level.null_space(), {}});
-  result.levels.back().weights = levels.back().moments();
   for (std::size_t k = 0; k + 1 < levels.size(); ++k)
     result.steps.push_back({levels[k].refinement(levels[k + 1]),
                             measurement_matrix(levels[k], levels[k + 1], Measurement::GrevilleValues).M});
-  for (std::size_t k = levels.size() - 1; k-- > 0;)
-    result.levels[k].weights = result.levels[k + 1].weights * result.steps[k].R;
+  for (std::size_t k = levels.size(); k-- > 0;) {
+    const bool whole = k + 1 == levels.size() || !levels[k].has_mask();
+    result.levels[k].weights = whole ? levels[k].moments() : result.levels[k + 1].weights * result.steps[k].R;
+  }
   return result;
 }
 

@@ -96,6 +96,35 @@ void check_mask(const std::vector<char>& inside, int nx) {
                        " cells of which " + std::to_string(connected) + " are connected");
 }
 
+void check_triangles(const VariationalDomain& domain) {
+  const auto even = [](const Breakpoints& b) {
+    for (int c = 1; c < b.cells(); ++c)
+      if (b.width(c) != b.width(0)) return false;
+    return b.cells() % 2 == 0;
+  };
+  const auto& terms = domain.energy.terms();
+  const bool first = std::all_of(terms.begin(), terms.end(), [](auto& t) { return t.x_order + t.y_order == 1; });
+  if (domain.degree != 1 || !first || !domain.y || !even(domain.x) || !even(*domain.y) || !domain.inside.empty() ||
+      !domain.coefficient.empty())
+    throw InvalidInput(
+        "SplineLevel: expected degree 1, first derivatives and a rectangle of an even number of equal cells without "
+        "coefficient and mask for triangles, found degree " +
+        std::to_string(domain.degree) + " on " + std::to_string(domain.x.cells()) + " x " +
+        std::to_string(domain.rows()) + " cells");
+}
+
+/// Of two directions, the refinement of hats on triangles: as of products, but the middle of a coarse cell has the mean
+/// of the two corners (0, 0) and (1, 1) alone, on the side that cuts the cell.
+void cut_along_diagonal(Triplets& entries, int fine_columns, int coarse_columns) {
+  std::erase_if(entries, [&](const auto& e) {
+    const int i = e.row() % fine_columns, j = e.row() / fine_columns;
+    const int a = i - 2 * (e.col() % coarse_columns), b = j - 2 * (e.col() / coarse_columns);
+    return a * b == -1;
+  });
+  for (auto& e : entries)
+    if (e.value() == 0.25) e = {e.row(), e.col(), 0.5};
+}
+
 /// The coefficients of the degree + 1 functions of a coarse cell for those of a fine one.
 KnotSplines::LocalMatrix local_refinement(const Eigen::SparseMatrix<double>& r, int fine, int coarse, int degree) {
   KnotSplines::LocalMatrix result(degree + 1, degree + 1);
@@ -135,6 +164,8 @@ SplineLevel::SplineLevel(const VariationalDomain& domain)
   coefficient_ = domain.coefficient;
   for (char c : domain.inside) inside_.push_back(c != 0);
   check_mask(inside_, x_.cells());
+  if (domain.triangles) check_triangles(domain);
+  triangles_ = domain.triangles;
   number_functions();
   tabulate();
 }
@@ -149,6 +180,7 @@ SplineLevel SplineLevel::coarser() const {
                        std::to_string(x_.cells()) + " x " + std::to_string(y_.cells()));
   SplineLevel result(x_.coarser(), interval_ ? y_ : y_.coarser());
   result.interval_ = interval_;
+  result.triangles_ = triangles_;
   result.terms_ = terms_;
   result.monomials_ = monomials_;
   result.take_elements(*this);
@@ -211,12 +243,32 @@ SplineLevel::Element SplineLevel::element(int cx, int cy) const {
     const std::size_t n = static_cast<std::size_t>(local_size());
     return Eigen::Map<const Eigen::MatrixXd>(element_.data() + cell(cx, cy) * n * n, local_size(), local_size());
   }
+  if (triangles_) return triangle_element(cx, cy);
   Element result = Element::Zero(local_size(), local_size());
   const double kappa = coefficient_.empty() ? 1 : coefficient_[cell(cx, cy)];
   for (const auto& t : terms_)
     result += kappa * t.weight *
               kronecker(y_products_[static_cast<std::size_t>(cy * orders + t.y_order)],
                         x_products_[static_cast<std::size_t>(cx * orders + t.x_order)]);
+  return result;
+}
+
+/// On each of the two triangles ∂_x is the slope of its one side along x: half of the cell for each such side.
+SplineLevel::Element SplineLevel::triangle_element(int cx, int cy) const {
+  const double hx = x_.breakpoints().unit() * x_.breakpoints().width(cx);
+  const double hy = y_.breakpoints().unit() * y_.breakpoints().width(cy);
+  Element result = Element::Zero(4, 4);
+  const auto add_side = [&](int a, int b, double weight) {
+    result(a, a) += weight;
+    result(b, b) += weight;
+    result(a, b) -= weight;
+    result(b, a) -= weight;
+  };
+  for (const auto& t : terms_) {
+    const double weight = t.weight * (t.x_order == 1 ? hy / hx : hx / hy) / 2;
+    add_side(0, t.x_order == 1 ? 1 : 2, weight);
+    add_side(t.x_order == 1 ? 2 : 1, 3, weight);
+  }
   return result;
 }
 
@@ -275,6 +327,7 @@ Eigen::SparseMatrix<double> SplineLevel::refinement(const SplineLevel& finer) co
           if (row >= 0) entries.emplace_back(row, column, a.value() * b.value());
         }
     }
+  if (triangles_) cut_along_diagonal(entries, finer.x_.size(), x_.size());
   return assembled(finer.size(), size(), entries);
 }
 

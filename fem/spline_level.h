@@ -22,6 +22,11 @@ struct VariationalDomain {
   KnotSplines::Ends ends = KnotSplines::Ends::Clamped;
   std::vector<double> coefficient = {};  ///< κ > 0 of each cell, x fastest; empty: 1
   std::vector<char> inside = {};         ///< 1 for cells of the domain, 0 for others, x fastest; empty: all are
+  /// Hat functions on cells that are each cut into two triangles, instead of products of hats: those of
+  /// [Warren & Weimer 2001, sec. 6.4.1], whose membrane energy is the five-point difference. For degree 1, first
+  /// derivatives, rectangles of an even number of equal cells, without coefficient and mask. Their weights are the
+  /// source's: a quarter of a cell's area for each of its corners.
+  bool triangles = false;
 
   int rows() const { return y ? y->cells() : 1; }
 };
@@ -84,10 +89,11 @@ private:
   void number_functions();
   void tabulate();
   void take_elements(const SplineLevel& finer);
+  Element triangle_element(int cx, int cy) const;
   std::size_t cell(int cx, int cy) const { return static_cast<std::size_t>(cx + cy * x_.cells()); }
 
   KnotSplines x_, y_;
-  bool interval_ = false;
+  bool interval_ = false, triangles_ = false;
   std::vector<Energy::Term> terms_;
   std::vector<Monomial> monomials_;
   std::vector<double> coefficient_;  // of each cell of the finest level; empty: 1

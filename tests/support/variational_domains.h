@@ -86,6 +86,9 @@ inline std::vector<NamedDomain> bell_form_domains() {
   auto masked = variational_domain(Energy::membrane(), 1, 8, 8);
   masked.inside = l_shape(8, 8);
   result.push_back({"membrane_on_an_l", masked});
+  auto triangles = variational_domain(Energy::membrane(), 1, 8, 12);
+  triangles.triangles = true;
+  result.push_back({"membrane_on_triangles", triangles});
   auto extended = variational_domain(Energy::thin_plate(), 2, 20, 0);
   extended.ends = KnotSplines::Ends::Extended;
   result.push_back({"thin_plate_degree_2_extended", extended});
