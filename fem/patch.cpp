@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <batten/fem/patch.h>
 
-#include <Eigen/Cholesky>
-
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace batten {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
+using Eigen::Index;
 
 /// The functions of the patch's cells and their energy on it.
 struct LocalEnergy {
@@ -100,6 +101,49 @@ std::vector<LocalMeasurement> local_measurements(const PatchedStep& step, const 
   return result;
 }
 
+/// K = U^T U, keeping to the profile of K: functions are numbered row by row, which leaves most of it zero.
+class ProfileCholesky {
+public:
+  explicit ProfileCholesky(Matrix K) : U_(std::move(K)), first_(static_cast<std::size_t>(U_.cols())) {
+    const double scale = U_.rows() == 0 ? 0 : U_.diagonal().maxCoeff();
+    for (Index j = 0; j < U_.cols(); ++j) {
+      Index& first = first_[static_cast<std::size_t>(j)];
+      while (first < j && U_(first, j) == 0) ++first;
+      for (Index i = first; i < j; ++i) {
+        const Index start = std::max(first, first_[static_cast<std::size_t>(i)]);
+        U_(i, j) -= U_.col(i).segment(start, i - start).dot(U_.col(j).segment(start, i - start));
+        U_(i, j) /= U_(i, i);
+      }
+      const double pivot = U_(j, j) - U_.col(j).segment(first, j - first).squaredNorm();
+      // The least pivot of a singular matrix is of the size of its rounding.
+      is_definite_ = is_definite_ && pivot > 1e-12 * scale;
+      if (!is_definite_) return;
+      U_(j, j) = std::sqrt(pivot);
+    }
+  }
+
+  bool is_definite() const { return is_definite_; }
+  /// Replaces the columns of B by K^-1 B.
+  void solve(Matrix& B) const {
+    for (Index c = 0; c < B.cols(); ++c) {
+      auto b = B.col(c);
+      for (Index j = 0; j < U_.cols(); ++j) b[j] = (b[j] - above(j).dot(b.segment(first(j), j - first(j)))) / U_(j, j);
+      for (Index j = U_.cols(); j-- > 0;) {
+        b[j] /= U_(j, j);
+        b.segment(first(j), j - first(j)) -= b[j] * above(j);
+      }
+    }
+  }
+
+private:
+  Index first(Index j) const { return first_[static_cast<std::size_t>(j)]; }
+  Matrix::ConstColXpr::ConstSegmentReturnType above(Index j) const { return U_.col(j).segment(first(j), j - first(j)); }
+
+  Matrix U_;
+  std::vector<Index> first_;  // row of the first entry of each column
+  bool is_definite_ = true;
+};
+
 }  // namespace
 
 PatchSolution solve_patch(const PatchedStep& step, const Patch& patch, const std::vector<int>& functions) {
@@ -120,19 +164,17 @@ PatchSolution solve_patch(const PatchedStep& step, const Patch& patch, const std
     position[a] = static_cast<int>(unknowns.size());
     unknowns.push_back(static_cast<int>(a));
   }
-  const Matrix K = local.E(unknowns, unknowns);
-  const Eigen::LLT<Matrix> factor(K);
-  // The least pivot of a singular matrix is of the size of its rounding.
-  const double least = factor.matrixLLT().diagonal().cwiseAbs2().minCoeff();
-  if (factor.info() != Eigen::Success || !(least > 1e-12 * K.diagonal().maxCoeff())) return {};
+  const ProfileCholesky factor(local.E(unknowns, unknowns));
+  if (!factor.is_definite()) return {};
   const int width = step.fine.x().size();
-  Matrix asked = Matrix::Zero(K.rows(), static_cast<Eigen::Index>(functions.size()));
+  Matrix asked = Matrix::Zero(static_cast<Eigen::Index>(unknowns.size()), static_cast<Eigen::Index>(functions.size()));
   for (std::size_t f = 0; f < functions.size(); ++f) {
     const int grid = step.fine.grid(functions[f]);
     const int a = local.local(grid % width, grid / width);
     asked(position[static_cast<std::size_t>(a)], static_cast<Eigen::Index>(f)) = 1;
   }
-  result.weights = -factor.solve(asked).transpose() * local.E(unknowns, measured);
+  factor.solve(asked);
+  result.weights = -asked.transpose() * local.E(unknowns, measured);
   return result;
 }
 
