@@ -174,6 +174,23 @@ TEST(LeastEnergy, of_cubics_on_uneven_knots_is_the_natural_spline) {
   EXPECT_NEAR(step.fine().energy_of(step.exact().apply(y)), expected, 1e-9 * expected);
 }
 
+// With values at the grid points, the middle of a coarse cell is the mean of its ends weighted by κ / h of its halves:
+// cells decouple, and one layer is exact.
+TEST(LocalScheme, of_a_membrane_in_one_dimension_is_the_weighted_mean) {
+  auto domain = variational_domain(Energy::membrane(), 1, 12, 0, false);
+  domain.coefficient = rough(12, 1000, 3);
+  const Step step(domain, Measurement::GrevilleValues);
+  const VectorXd m = random_coefficients(7, 1), local = step.local(1).apply(m), exact = step.exact().apply(m);
+  for (int C = 0; C < 6; ++C) {
+    const auto stiffness = [&](int c) { return domain.coefficient[static_cast<std::size_t>(c)] / domain.x.width(c); };
+    const double left = stiffness(2 * C), right = stiffness(2 * C + 1);
+    const double middle = (left * m[C] + right * m[C + 1]) / (left + right);
+    EXPECT_NEAR(local[2 * C + 1], middle, 1e-14);
+    EXPECT_NEAR(exact[2 * C + 1], middle, 1e-14);
+    EXPECT_NEAR(local[2 * C], m[C], 1e-15);
+  }
+}
+
 TEST(LocalScheme, with_patches_as_large_as_the_domain_is_exact) {
   for (const auto& [domain, kind] :
        {std::pair{with_mask(variational_domain(Energy::membrane(), 1, 10, 8)), Measurement::CellAverages},

@@ -122,6 +122,53 @@ TEST(NaturalCubic, energies_of_the_source_fall_fourfold_to_the_exact_limit) {
   }
 }
 
+/// S_0 of bending on an interval of 20 coarse cells.
+VariationalScheme bending_of_line(int degree, const NullSpaceRule& rule = {}) {
+  return {energy_levels(spline_levels(test::variational_domain(Energy::thin_plate(), degree, 40, 0), 1)), 0, rule};
+}
+
+// With the symbols of E and M, bending gives 8 E(x) S(x) = M(1/x) E(x²):
+//   degree 2, M = (1 + x) / 2:           S = (1 + x)^5 / 16, quartic B-splines: the limit keeps averages over cells,
+//                                        for the chain M_0 M_1 ... of midpoint values tends to them;
+//   degree 3, M = (1/x + 4 + x) / 6 = b: S = (1 + x)^4 / 8 b(x²), natural cubics again, in another basis.
+TEST(VariationalScheme, columns_of_bending_are_the_closed_forms_of_its_symbols) {
+  // Away from the ends coarse quadratic j lies between fine ones 2 j - 1 and 2 j, coarse cubic j above 2 j - 1.
+  VectorXd quartic = VectorXd::Zero(42), cubic = VectorXd::Zero(43);
+  quartic.segment(17, 6) << 1, 5, 10, 10, 5, 1;
+  cubic.segment(17, 9) << 1, 4, 10, 20, 26, 20, 10, 4, 1;
+  expect_near(16 * bending_of_line(2).column(10), quartic, 1e-8);
+  expect_near(48 * bending_of_line(3).column(11), cubic, 1e-8);
+}
+
+// Integrals tie every row to the columns at the ends, whose local solutions do not keep them; values at the ends do
+// not.
+TEST(VariationalScheme, rows_of_quadratic_bending_are_local_if_the_ends_are_interpolated) {
+  const auto scheme = bending_of_line(2, {{0, 21}});
+  VectorXd first = VectorXd::Zero(22), inner = first;
+  first.head(3) << 10, 5, 1;
+  inner.segment(9, 3) << 1, 10, 5;
+  expect_near(16 * scheme.row(1), first, 1e-9);
+  expect_near(16 * scheme.row(20), inner, 1e-9);
+  EXPECT_GT((16 * bending_of_line(2).row(20) - inner).cwiseAbs().maxCoeff(), 0.01);
+}
+
+// In one dimension the flow κ p' is the same in both halves of a coarse cell.
+TEST(VariationalScheme, of_a_membrane_in_one_dimension_keeps_the_flow) {
+  auto domain = test::variational_domain(Energy::membrane(), 1, 12, 0, false);
+  domain.coefficient = test::rough(12, 1000, 3);
+  const auto levels = energy_levels(spline_levels(domain, 1));
+  const VectorXd p = random_coefficients(7, 1), q = VariationalScheme(levels, 0).apply(p);
+  const auto width = [&](int c) { return domain.x.width(c); };
+  for (int C = 0; C < 6; ++C) {
+    const auto kappa = [&](int c) { return domain.coefficient[static_cast<std::size_t>(c)]; };
+    const int c = 2 * C, d = c + 1;
+    const double mean = (kappa(c) * width(c) + kappa(d) * width(d)) / (width(c) + width(d));
+    const double flow = mean * (p[C + 1] - p[C]) / (width(c) + width(d));
+    EXPECT_NEAR((q[d] - q[c]) * kappa(c) / width(c), flow, 1e-9 * std::abs(flow));
+    EXPECT_NEAR((q[d + 1] - q[d]) * kappa(d) / width(d), flow, 1e-9 * std::abs(flow));
+  }
+}
+
 class BellForm : public testing::TestWithParam<test::NamedDomain> {
 protected:
   std::vector<SplineLevel> splines = spline_levels(GetParam().domain, 2);
