@@ -139,6 +139,55 @@ void measure_prediction(Report& report, const Problem& problem) {
           Predictor(levels, {.kind = problem.kind, .layers = layers, .smoothing = smoothing}).run(q0).energies);
 }
 
+/// A forward and a backward Gauss-Seidel sweep for E p = f.
+void sweep(const Eigen::SparseMatrix<double>& E, const VectorXd& f, VectorXd& p) {
+  const auto improve = [&](Eigen::Index i) {
+    double rest = f[i];
+    for (Eigen::SparseMatrix<double>::InnerIterator e(E, i); e; ++e) rest -= e.value() * p[e.row()];
+    p[i] += rest / E.coeff(i, i);
+  };
+  for (Eigen::Index i = 0; i < p.size(); ++i) improve(i);
+  for (Eigen::Index i = p.size(); i-- > 0;) improve(i);
+}
+
+/// Energies of p_k = S_{k-1} p_{k-1} over those of the exact p_3, exact and padded.
+void measure_bell_energies(Report& report, const std::string& name, const VariationalDomain& domain) {
+  const auto levels = energy_levels(spline_levels(domain, 3));
+  const VectorXd p0 = random_numbers(levels.levels[0].E.rows(), 1);
+  const auto energies = [&](auto&& step, bool smoothing) {
+    VectorXd p = p0, f = levels.levels[0].E * p0;
+    std::vector<double> result = {p.dot(f)};
+    for (int k = 0; k < 3; ++k) {
+      p = step(k, p);
+      f = (levels.steps[static_cast<std::size_t>(k)].M.transpose() * f).eval();
+      const auto& E = levels.levels[static_cast<std::size_t>(k + 1)].E;
+      if (smoothing) sweep(E, f, p);
+      result.push_back(p.dot(E * p));
+    }
+    return result;
+  };
+  const auto exact = energies([&](int k, const VectorXd& p) { return VariationalScheme(levels, k).apply(p); }, false);
+  const auto add = [&](const std::string& rules, const std::vector<double>& found) {
+    std::vector<Cell> row = {name, rules};
+    for (double e : found) row.emplace_back(e / exact.back());
+    report.row(row);
+  };
+  add("exact", exact);
+  for (int cells : {4, 8}) {
+    auto small = domain;
+    small.x = small.y.emplace(Breakpoints::uniform(0, 2 * cells, 2 * cells));
+    const PaddedScheme padded(small);
+    const int coarsest = domain.x.cells() / 8;
+    for (bool smoothing : {false, true})
+      add("padded, " + std::to_string(cells) + (smoothing ? " cells, smoothed" : " cells"),
+          energies(
+              [&](int k, const VectorXd& p) {
+                return padded.apply(p, {coarsest << k, coarsest << k});
+              },
+              smoothing));
+  }
+}
+
 /// Relative error in the energy norm of the best approximation of the solution of E u = f from the columns of B.
 double approximation_error(const Eigen::SparseMatrix<double>& E, const Eigen::MatrixXd& B, const VectorXd& u) {
   const VectorXd f = E * u;
@@ -239,6 +288,13 @@ void measure_tables(Report& report) {
   report.table("energies of the predictor's levels over the exact one of the finest, three steps to 64 x 64 cells",
                {"problem", "rules", "level 0", "level 1", "level 2", "level 3"});
   for (const Problem& problem : problems) measure_prediction(report, problem);
+  report.table("energies of the bell form's p_k over the exact one of level 3, three steps to 64 x 64 cells",
+               {"problem", "rules", "level 0", "level 1", "level 2", "level 3"});
+  auto finer_hats = grid(membrane, 1, 64);
+  finer_hats.triangles = true;
+  measure_bell_energies(report, "membrane, the source's hats", finer_hats);
+  measure_bell_energies(report, "thin plate, degree 2", grid(plate, 2, 64));
+  measure_bell_energies(report, "thin plate, degree 3", grid(plate, 3, 64));
 }
 
 void measure(Report& report) {
