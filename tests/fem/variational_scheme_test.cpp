@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
+#include <batten/fem/operator.h>
 #include <batten/fem/variational_scheme.h>
 
 #include "../support/variational_domains.h"
@@ -73,6 +74,23 @@ TEST(NaturalCubic, rules_are_cubic_b_splines_inside_and_interpolate_at_the_ends)
     }
     expect_near(S, expected, 1e-10);  // the condition of E grows like the fourth power of its size
   }
+}
+
+// The operator of the solvers comes from exact rationals and Kronecker products, not from cells and Gauss's rule.
+TEST(SplineLevel, energies_are_those_of_the_operator) {
+  for (const auto& energy : {Energy::membrane(), Energy::thin_plate(), Energy::tension(0.3)})
+    for (int degree : {2, 3}) {
+      auto domain = test::variational_domain(energy, degree, 7, 6);
+      domain.x = Breakpoints::uniform(1, 3.1, 7);
+      domain.y = Breakpoints::uniform(-1, 0.2, 6);
+      const MatrixXd E = SplineLevel(domain).energy();
+      const SplineBasis x(Interval(1, 3.1, 7), degree), y(Interval(-1, 0.2, 6), degree);
+      const Operator expected(energy, {x, y, 0.3, 0.2});
+      const int nx = x.size(), n = nx * y.size();
+      for (int a = 0; a < n; ++a)
+        for (int b = 0; b < n; ++b)
+          ASSERT_NEAR(E(a, b), expected.entry(a % nx, a / nx, b % nx, b / nx), 1e-12 * E.maxCoeff());
+    }
 }
 
 /// N of [Warren & Weimer 2001, sec. 6.3.1].
