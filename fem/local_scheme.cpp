@@ -47,7 +47,8 @@ std::vector<int> cell_classes(const SplineLevel& fine) {
         result.push_back(-1);
         continue;
       }
-      for (double e : fine.element(cx, cy).reshaped()) classes.add(e);
+      const auto element = fine.element(cx, cy);
+      for (double e : element.reshaped()) classes.add(e);
       result.push_back(classes.number());
     }
   return result;
@@ -126,8 +127,9 @@ void LocalSchemeBuilder::classify_places() {
     const int i = static_cast<int>(place) % m.places_x, j = static_cast<int>(place) / m.places_x;
     for (MeasurementMatrix::Matrix::InnerIterator e(m.M, row); e; ++e) {
       const int grid = step_.fine.grid(static_cast<int>(e.col()));
-      classes.add(grid % width - 2 * i);
-      classes.add(grid / width - 2 * j);
+      const int gx = grid % width, gy = grid / width;
+      classes.add(gx - 2 * i);
+      classes.add(gy - 2 * j);
       classes.add(e.value());
     }
     places_.push_back(classes.number());
@@ -226,35 +228,42 @@ LocalScheme::LocalScheme(const SplineLevel& coarse, const SplineLevel& fine, Mea
   LocalSchemeBuilder(*this, coarse, fine, kind, layers).build();
 }
 
+/// The coefficients around coarse cell c but the private ones.
+void LocalScheme::apply_rule(int c, const Eigen::VectorXd& at_place, Eigen::VectorXd& q) const {
+  const int index = rule_of_[static_cast<std::size_t>(c)];
+  if (index < 0) return;
+  const Rule& rule = rules_[static_cast<std::size_t>(index)];
+  const int I = c % cells_x_, J = c / cells_x_;
+  const int function = 2 * (I + J * functions_x_), place = I + J * measurements_.places_x;
+  const double* weight = rule.weights.data();
+  for (int f : rule.functions) {
+    double sum = 0;
+    for (int p : rule.places) sum += *weight++ * at_place[place + p];
+    q[number_[static_cast<std::size_t>(function + f)]] = sum;
+  }
+}
+
+/// The private coefficient of measurement r, for which its value m holds.
+void LocalScheme::set_private(int r, double m, Eigen::VectorXd& q) const {
+  const int p = private_[static_cast<std::size_t>(r)];
+  double rest = m;
+  for (MeasurementMatrix::Matrix::InnerIterator e(measurements_.M, r); e; ++e)
+    if (e.col() != p) rest -= e.value() * q[e.col()];
+  q[p] = rest / pivot_[static_cast<std::size_t>(r)];
+}
+
 Eigen::VectorXd LocalScheme::apply(const Eigen::VectorXd& m) const {
+  if (m.size() != columns())
+    throw InvalidInput("LocalScheme::apply: expected " + std::to_string(columns()) + " measurements, found " +
+                       std::to_string(m.size()));
   Eigen::VectorXd at_place = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(measurements_.row.size())), q(rows());
   for (int r = 0; r < columns(); ++r) at_place[measurements_.place[static_cast<std::size_t>(r)]] = m[r];
-  // An interval is a single row of cells, cut along it.
-  const bool along = cells_y_ == 1;
-  for_blocks(RowBlocks(along ? cells_x_ : cells_y_, (along ? 1 : cells_x_) * 64), [&](int begin, int end) {
-    const int width = along ? 1 : cells_x_;
-    for (int c = begin * width; c < end * width; ++c) {
-      const int index = rule_of_[static_cast<std::size_t>(c)];
-      if (index < 0) continue;
-      const Rule& rule = rules_[static_cast<std::size_t>(index)];
-      const int I = c % cells_x_, J = c / cells_x_;
-      const int function = 2 * (I + J * functions_x_), place = I + J * measurements_.places_x;
-      const double* weight = rule.weights.data();
-      for (int f : rule.functions) {
-        double sum = 0;
-        for (int p : rule.places) sum += *weight++ * at_place[place + p];
-        q[number_[static_cast<std::size_t>(function + f)]] = sum;
-      }
-    }
+  // Every coefficient belongs to one cell, every private one to one measurement: no two threads meet.
+  for_blocks(RowBlocks(cells_x_ * cells_y_, 64), [&](int begin, int end) {
+    for (int c = begin; c < end; ++c) apply_rule(c, at_place, q);
   });
-  for_blocks(RowBlocks(columns(), 1), [&](int begin, int end) {
-    for (int r = begin; r < end; ++r) {
-      const int p = private_[static_cast<std::size_t>(r)];
-      double rest = m[r];
-      for (MeasurementMatrix::Matrix::InnerIterator e(measurements_.M, r); e; ++e)
-        if (e.col() != p) rest -= e.value() * q[e.col()];
-      q[p] = rest / pivot_[static_cast<std::size_t>(r)];
-    }
+  for_blocks(RowBlocks(columns(), 16), [&](int begin, int end) {
+    for (int r = begin; r < end; ++r) set_private(r, m[r], q);
   });
   return q;
 }

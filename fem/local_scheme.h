@@ -28,7 +28,7 @@ public:
   const MeasurementMatrix& measurements() const { return measurements_; }
   int rows() const { return static_cast<int>(measurements_.M.cols()); }
   int columns() const { return static_cast<int>(measurements_.M.rows()); }
-  /// Ψ_r m, in linear time; all threads, the same bits for every thread count.
+  /// Ψ_r m, in linear time; all threads, the same bits for every thread count. Throws InvalidInput if m does not fit.
   Eigen::VectorXd apply(const Eigen::VectorXd& m) const;
   /// Ψ_r, for small levels.
   Eigen::MatrixXd matrix() const;
@@ -45,6 +45,9 @@ private:
     std::vector<int> places;      ///< relative to place (I, J)
     std::vector<double> weights;  ///< functions x places, row after row
   };
+
+  void apply_rule(int c, const Eigen::VectorXd& at_place, Eigen::VectorXd& q) const;
+  void set_private(int r, double m, Eigen::VectorXd& q) const;
 
   MeasurementMatrix measurements_;
   std::vector<int> private_;   // coefficient of each measurement

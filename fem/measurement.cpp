@@ -15,6 +15,7 @@ using Row = std::vector<Eigen::Triplet<double>>;  // of one direction or of M
 /// In one direction, the weights of the fine functions in the values at given positions.
 std::vector<Row> values_at(const KnotSplines& fine, const std::vector<double>& positions) {
   std::vector<Row> result;
+  result.reserve(positions.size());
   for (double t : positions) {
     const int cell = fine.cell_of(t);
     const auto n = fine.at(cell, t - fine.breakpoints().positions()[static_cast<std::size_t>(cell)]);

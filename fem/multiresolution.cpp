@@ -6,14 +6,13 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <utility>
 
 namespace batten {
 
 using Eigen::VectorXd;
 
-Multiresolution::Multiresolution(Eigen::SparseMatrix<double> E, const std::vector<MeasurementMatrix::Matrix>& M)
-    : E_(std::move(E)) {
+Multiresolution::Multiresolution(const Eigen::SparseMatrix<double>& E, const std::vector<MeasurementMatrix::Matrix>& M)
+    : E_(E) {
   if (M.empty()) throw InvalidInput("Multiresolution: expected at least one level of measurements, found none");
   for (std::size_t k = 0; k < M.size(); ++k) {
     const Eigen::Index above = k + 1 < M.size() ? M[k + 1].rows() : E_.rows();

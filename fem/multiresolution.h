@@ -28,7 +28,7 @@ public:
   /// E of the finest level, symmetric, both triangles; M_0 .. M_{K-1}, K >= 1. One factorisation of the finest size for
   /// each level. Throws InvalidInput if the sizes do not fit or if a measurement M_0 or M_k ... M_{K-1} has no private
   /// coefficient, SolverError if M_0's do not fix the null space of E.
-  Multiresolution(Eigen::SparseMatrix<double> E, const std::vector<MeasurementMatrix::Matrix>& M);
+  Multiresolution(const Eigen::SparseMatrix<double>& E, const std::vector<MeasurementMatrix::Matrix>& M);
 
   int levels() const { return static_cast<int>(steps_.size()); }
   Analysis analyse(const Eigen::VectorXd& q) const;

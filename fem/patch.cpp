@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace batten {
@@ -73,30 +74,32 @@ void exchange_columns(Matrix& E, const std::vector<LocalMeasurement>& measuremen
   }
 }
 
-/// Those whose functions are all local.
+/// The measurement of a row of M; nothing if some function of it is not local.
+std::optional<LocalMeasurement> local_measurement(const PatchedStep& step, int row, const LocalEnergy& local) {
+  const int width = step.fine.x().size(), pivot = step.private_functions[static_cast<std::size_t>(row)];
+  LocalMeasurement m{step.measurements.place[static_cast<std::size_t>(row)], -1, 0, {}};
+  for (MeasurementMatrix::Matrix::InnerIterator e(step.measurements.M, row); e; ++e) {
+    const int grid = step.fine.grid(static_cast<int>(e.col()));
+    const int a = local.local(grid % width, grid / width);
+    if (a < 0) return {};
+    if (e.col() != pivot) {
+      m.others.emplace_back(a, e.value());
+    } else {
+      m.p = a;
+      m.pivot = e.value();
+    }
+  }
+  return m;
+}
+
 std::vector<LocalMeasurement> local_measurements(const PatchedStep& step, const Patch& patch,
                                                  const LocalEnergy& local) {
   std::vector<LocalMeasurement> result;
-  const int width = step.fine.x().size();
   for (int j = patch.places_y.begin; j < patch.places_y.end; ++j)
     for (int i = patch.places_x.begin; i < patch.places_x.end; ++i) {
-      LocalMeasurement m{i + j * step.measurements.places_x, -1, 0, {}};
-      const int row = step.measurements.row[static_cast<std::size_t>(m.place)];
+      const int row = step.measurements.row[static_cast<std::size_t>(i + j * step.measurements.places_x)];
       if (row < 0) continue;
-      const int pivot = step.private_functions[static_cast<std::size_t>(row)];
-      bool is_local = true;
-      for (MeasurementMatrix::Matrix::InnerIterator e(step.measurements.M, row); e; ++e) {
-        const int grid = step.fine.grid(static_cast<int>(e.col()));
-        const int a = local.local(grid % width, grid / width);
-        is_local = is_local && a >= 0;
-        if (e.col() != pivot) {
-          m.others.emplace_back(a, e.value());
-        } else {
-          m.p = a;
-          m.pivot = e.value();
-        }
-      }
-      if (is_local) result.push_back(std::move(m));
+      if (auto m = local_measurement(step, row, local)) result.push_back(std::move(*m));
     }
   return result;
 }

@@ -252,6 +252,8 @@ TEST(LocalScheme, says_what_is_wrong_with_its_input) {
               HasSubstr("degree 1 for cell averages, found 3"));
   EXPECT_THAT(message_of([&] { Step(plate, Measurement::GrevilleValues).local(1); }),
               HasSubstr("only one measurement sees"));
+  EXPECT_THAT(message_of([&] { Step(plate, Measurement::CentreValues).local(1).apply(VectorXd::Zero(3)); }),
+              HasSubstr("16 measurements, found 3"));
   EXPECT_THAT(message_of([&] { Step(with_mask(plate), Measurement::GrevilleValues); }), HasSubstr("lie in the domain"));
 }
 
