@@ -22,6 +22,9 @@ public:
   static Energy membrane();
   /// Throws InvalidInput unless 0 <= tension <= 1; 0 gives the thin plate, 1 the membrane.
   static Energy tension(double tension);
+  /// Any other such sum. Throws InvalidInput unless there is a term, weights are finite and positive, orders are from 0
+  /// to 2 and not both 0 (the mass is no energy: it has no null space).
+  static Energy sum_of(std::vector<Term> terms);
 
   const std::vector<Term>& terms() const { return terms_; }
   /// Highest order of the derivatives that occur.
