@@ -26,7 +26,7 @@ void check_options(const SubdivideArguments& a) {
   refuse(!a.boundary.empty(), "--boundary is for grids; a curve is open, or --closed");
   refuse(a.interpolate + a.smoothing.has_value() + a.tolerance.has_value() > 1,
          "--interpolate, --smoothing and --tolerance exclude each other");
-  if (a.scheme.name == natural_cubic) return;
+  if (a.scheme.name == natural_cubic) return batten::check_options(a.scheme, {}, {});
   const std::string only = " is for --scheme natural-cubic, found " + a.scheme.name;
   refuse(a.interpolate, "--interpolate" + only);
   refuse(a.smoothing.has_value(), "--smoothing" + only);

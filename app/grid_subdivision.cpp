@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/grid_output.h>
 #include <batten/app/grid_subdivision.h>
 #include <batten/app/number_text.h>
 #include <batten/app/output_names.h>
@@ -7,10 +8,7 @@
 #include <batten/app/usage_error.h>
 #include <batten/bases/subdivide.h>
 #include <batten/domains/errors.h>
-#include <batten/io/image_file.h>
 #include <batten/io/matrix_file.h>
-#include <batten/io/picture.h>
-#include <batten/io/table.h>
 
 #include <cmath>
 #include <iostream>
@@ -63,28 +61,13 @@ GridSamples samples_of(const ControlGrid& grid) {
   return samples;
 }
 
-void write_results(const SubdivideArguments& arguments, const Scheme2& scheme, const GridSamples& samples) {
-  if (is_table(arguments.output)) {
-    write_table(arguments.output, samples);
-  } else {
-    const auto [x, y] = samples.origin;
-    Record record{.kind = "subdivided grid",
-                  .region = {x, x + samples.spacing[0] * (samples.points[0] - 1), y,
-                             y + samples.spacing[1] * (samples.points[1] - 1)}};
-    record.texts = {{"scheme", scheme.name()}, {"program", "batten " BATTEN_VERSION}};
-    record.numbers = {{"levels", static_cast<double>(arguments.levels)}};
-    write_image(arguments.output, samples, record);
-  }
-  if (arguments.picture.empty()) return;
-  PictureOptions options;
-  options.view = arguments.view == "map" ? PictureOptions::View::Map : PictureOptions::View::Surface;
-  options.title = scheme.name() + ", " + std::to_string(arguments.levels) + " levels";
-  write_picture(arguments.picture, samples, {}, options);
-}
-
 }  // namespace
 
 void subdivide_grid(const SubdivideArguments& arguments) {
+  if (arguments.interpolate || arguments.limit || arguments.closed || arguments.smoothing || arguments.tolerance ||
+      !arguments.columns.empty())
+    throw UsageError(
+        "the input is a control grid, for which there are no options of curves; a curve's table has a header");
   check_output_name("-o", arguments.output, {".vti", ".csv"});
   check_output_name("--picture", arguments.picture, {".png"});
   Progress progress("batten subdivide", arguments.quiet);
@@ -98,7 +81,7 @@ void subdivide_grid(const SubdivideArguments& arguments) {
   const ControlGrid fine = subdivided(scheme, control, {.levels = arguments.levels, .x = ends, .y = ends});
   progress.show("write " + arguments.output);
   const GridSamples samples = samples_of(fine);
-  write_results(arguments, scheme, samples);
+  write_grid_outputs(arguments, scheme.name(), samples);
   progress.erase();
   if (arguments.quiet) return;
   const Eigen::MatrixXd &before = control.components[0], &after = fine.components[0];

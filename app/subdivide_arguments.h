@@ -14,7 +14,10 @@ struct SubdivideArguments {
   std::string input;
   SchemeArguments scheme;
   int levels = 3;
-  std::string boundary;  ///< of grids
+  // Grids.
+  std::string boundary;
+  std::string rules = "exact";  ///< of bounded schemes
+  std::optional<double> tension;
   // Curves.
   std::vector<std::string> columns;  ///< of the points; empty: x, y, z or the first ones
   std::string parameter = "uniform";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/bounded_subdivision.h>
 #include <batten/app/curve_subdivision.h>
 #include <batten/app/grid_subdivision.h>
 #include <batten/app/output_names.h>
@@ -31,7 +32,12 @@ least bending energy, whose coefficients are the points, or which passes
   --show result | rounds | forces (of E_k p_k: where the strip is held)
          | multiresolution (q_k and the details r_k, down so many --levels)
 
-At the sides a grid ends as --boundary says:
+For grids there are bounded-harmonic, bounded-thin-plate and bounded-tension as
+well: the scheme that the energy has on the rectangle with free sides. --rules
+exact factors each level's energy, padded uses the rules of a small domain. The
+numbers are the coefficients of hats (harmonic) or quadratics.
+
+At the sides a grid of other schemes ends as --boundary says:
   reflect   the values mirrored: flat across the side, needs a symmetric mask
   open      only new values whose rules lie within the grid
   zero      zeros outside
@@ -42,11 +48,13 @@ Examples:
     --levels 4 -o hand.vtp --picture hand.png
   batten subdivide examples/data/plate.csv --scheme polyharmonic --order 2 \
     --method lp --size 9 --precision 3 --levels 3 -o plate.vti --picture plate.png
+  batten subdivide examples/data/plate.csv --scheme bounded-harmonic --levels 2 -o h.vti
   batten subdivide examples/data/plate.csv --scheme bspline --order 4 --levels 3 -o plate.csv)";
 
 void run_subdivide(const SubdivideArguments& arguments) {
   for (const std::string& file : {arguments.output, arguments.picture}) check_not_input(file, arguments.input);
   set_thread_count(arguments.threads);
+  if (is_bounded_scheme(arguments.scheme.name)) return subdivide_bounded(arguments);
   is_curve(arguments) ? subdivide_curve(arguments) : subdivide_grid(arguments);
 }
 
@@ -66,6 +74,12 @@ Subcommand add_subdivide_command(CLI::App& app) {
   parser->add_option("--boundary", a->boundary, "default: reflect where the mask is symmetric, else open")
       ->option_text("NAME")
       ->check(CLI::IsMember({"reflect", "open", "zero", "periodic"}));
+  parser->add_option("--rules", a->rules, "of bounded schemes: exact (default) or padded")
+      ->option_text("WHICH")
+      ->check(CLI::IsMember({"exact", "padded"}));
+  parser->add_option("--tension", a->tension, "of bounded-tension: 0 thin plate, 1 membrane, default 0.9")
+      ->option_text("T")
+      ->check(CLI::Range(0., 1.));
   parser->add_option("--columns", a->columns, "of the points; default: x, y, z, or the first two")
       ->option_text("COL ...")
       ->expected(1, 3);
