@@ -29,7 +29,8 @@ public:
   const std::vector<Term>& terms() const { return terms_; }
   /// Highest order of the derivatives that occur.
   int order() const;
-  /// Degree of the polynomials without energy: 1 (constant and linear functions) or 0 (constants).
+  /// Degree of the polynomials without energy: 1 (constant and linear functions) or 0 (constants). A sum without mixed
+  /// derivative has x y besides: SplineLevel::null_monomials knows all.
   int null_degree() const;
 
 private:

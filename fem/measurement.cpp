@@ -35,6 +35,7 @@ std::vector<Row> without_rounding(std::vector<Row> rows) {
 
 std::vector<double> centres(const KnotSplines& coarse, const KnotSplines& fine) {
   std::vector<double> result;
+  result.reserve(static_cast<std::size_t>(coarse.cells()));
   for (int c = 0; c < coarse.cells(); ++c)
     result.push_back(fine.breakpoints().positions()[static_cast<std::size_t>(fine.breakpoints().first_child(c) + 1)]);
   return result;
