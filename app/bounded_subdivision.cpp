@@ -7,6 +7,7 @@
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/usage_error.h>
 #include <batten/domains/errors.h>
+#include <batten/fem/corner_samples.h>
 #include <batten/fem/padded_scheme.h>
 #include <batten/fem/variational_scheme.h>
 #include <batten/io/matrix_file.h>
@@ -67,26 +68,6 @@ Eigen::VectorXd padded_subdivided(const SubdivideArguments& a, std::array<int, 2
   return p;
 }
 
-/// Values of a spline at the corners of its cells.
-GridSamples samples_of(const SplineLevel& level, const Eigen::VectorXd& c) {
-  const auto at_corners = [](const KnotSplines& basis) {
-    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(basis.cells() + 1, basis.size());
-    for (int i = 0; i <= basis.cells(); ++i) {
-      const int cell = std::min(i, basis.cells() - 1);
-      const auto local = basis.at(cell, i == cell ? 0 : basis.breakpoints().width(cell));
-      values.row(i).segment(cell, local.size()) = local.transpose();
-    }
-    return Eigen::SparseMatrix<double>(values.sparseView());
-  };
-  const Eigen::Map<const Eigen::MatrixXd> grid(c.data(), level.x().size(), level.y().size());
-  const Eigen::MatrixXd values = at_corners(level.x()) * grid * at_corners(level.y()).transpose();
-  GridSamples samples{.points = {static_cast<int>(values.rows()), static_cast<int>(values.cols())}};
-  samples.origin = {level.x().breakpoints().lower(), level.y().breakpoints().lower()};
-  samples.spacing = {level.x().breakpoints().unit(), level.y().breakpoints().unit()};
-  samples.arrays = {{"value", 1, {values.data(), values.data() + values.size()}}};
-  return samples;
-}
-
 void check_options(const SubdivideArguments& a) {
   batten::check_options(a.scheme, {}, {});
   const auto refuse = [&](bool is_given, const std::string& option) {
@@ -114,7 +95,7 @@ void subdivide_bounded(const SubdivideArguments& a) {
   const auto levels = spline_levels(domain_of(a, cells, a.levels), a.levels);
   const Eigen::VectorXd fine = a.rules == "padded" ? padded_subdivided(a, cells, p) : exactly_subdivided(levels, p);
   progress.show("write " + a.output);
-  const GridSamples samples = samples_of(levels.back(), fine);
+  const GridSamples samples = corner_samples(levels.back(), fine);
   write_grid_outputs(a, a.scheme.name + ", " + a.rules + " rules", samples);
   progress.erase();
   if (a.quiet) return;

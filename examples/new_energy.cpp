@@ -7,16 +7,19 @@
 // 2. S_0, the exact scheme, from E_1 S_0 = U_0 E_0.
 // 3. The predictor: values at the middles of coarse cells -> the least-energy finer function, rules of four layers.
 // 4. The solution of the last step, exactly, to compare.
+// 5. The basis function of a coarse coefficient, S_2 S_1 S_0 of a unit vector, into the PNG file that is named.
 //
 // Output: the rule of a middle coefficient, the energies of the levels, the error of the prediction; it is below 1e-3.
+#include <batten/fem/corner_samples.h>
 #include <batten/fem/energy_levels.h>
 #include <batten/fem/predictor.h>
 #include <batten/fem/variational_scheme.h>
+#include <batten/io/picture.h>
 
 #include <cmath>
 #include <iostream>
 
-int main() {
+int main(int argc, char** argv) {
   using namespace batten;
   VariationalDomain domain{Breakpoints::uniform(0, 1, 64)};
   domain.y = domain.x;
@@ -24,7 +27,8 @@ int main() {
   domain.degree = 2;
   const auto levels = spline_levels(domain, 3);
 
-  const VariationalScheme S(energy_levels({levels[0], levels[1]}), 0);
+  const EnergyLevels energies = energy_levels(levels);
+  const VariationalScheme S(energies, 0);
   const int i = 8, nx = levels[1].x().size(), coarse_nx = levels[0].x().size();
   std::cout << "rule of coefficient (8, 8), x to the right:\n";
   const Eigen::VectorXd rule = S.row(i + nx * i);
@@ -44,5 +48,9 @@ int main() {
   const double least = levels[3].energy_of(exact.predict(0, prediction.coefficients[2]));
   const double error = prediction.energies[3] / least - 1;
   std::cout << "energy of the prediction over the least, minus 1: " << error << '\n';
+
+  Eigen::VectorXd n = S.column(5 + coarse_nx * 5);
+  for (int k : {1, 2}) n = VariationalScheme(energies, k).apply(n);
+  if (argc > 1) write_picture(argv[1], corner_samples(levels[3], n), {}, {.title = "basis of p_xx^2 + 4 p_yy^2"});
   return error >= -1e-12 && error < 1e-3 ? 0 : 1;
 }
