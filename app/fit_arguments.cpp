@@ -88,6 +88,10 @@ void add_surface(CLI::App& parser, FitArguments& a) {
                               ->check(positive)
                               ->excludes(smoothing)
                               ->group(group);
+  parser.add_option("--tolerance-column", a.tolerance_column, "column of a tolerance for each point, times E")
+      ->option_text("COL")
+      ->needs(tolerance)
+      ->group(group);
   parser.add_flag("--allow", a.allow, "write the surface even if the tolerance is not reached")
       ->needs(tolerance)
       ->group(group);

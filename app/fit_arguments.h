@@ -17,7 +17,7 @@ namespace batten {
 /// The command line of `batten fit`.
 struct FitArguments {
   std::string points;  ///< the file, "-" for standard input
-  std::string x, y, value, weight;
+  std::string x, y, value, weight, tolerance_column;
   std::string energy = "thin-plate";
   std::optional<double> tension;
   int degree = 3;

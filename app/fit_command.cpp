@@ -48,7 +48,9 @@ std::string tolerance_text(const FitArguments& arguments, const FitInput& input,
   const Rectangle& region = result.solution.region();
   return "the tolerance " + number_text(*arguments.tolerance) + " is not reachable on this grid of " +
          std::to_string(region.x.cells()) + " x " + std::to_string(region.y.cells()) + " cells: the worst point, " +
-         place_of(input, result.worst_point) + ", is " + number_text(result.largest_residual) + " away";
+         place_of(input, result.worst_point) + ", is " +
+         number_text(std::abs(result.fitted[result.worst_point] - input.observations.value[result.worst_point])) +
+         " away";
 }
 
 void check_tolerance(const FitArguments& arguments, const FitInput& input, const FitResult& result) {

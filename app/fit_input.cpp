@@ -20,13 +20,15 @@ std::string source_name(const FitArguments& arguments) {
   return arguments.points == "-" ? "standard input" : arguments.points;
 }
 
-void check_weights(const FitArguments& arguments, const FitInput& input) {
-  const std::vector<double>& weight = input.observations.weight;
-  const auto negative = std::find_if(weight.begin(), weight.end(), [](double w) { return w < 0; });
-  if (negative == weight.end()) return;
-  const auto row = static_cast<std::size_t>(negative - weight.begin());
-  throw InvalidInput(source_name(arguments) + ": line " + std::to_string(input.lines[row]) +
-                     ": weights must not be negative, found " + number_text(*negative, 10));
+// Throws InvalidInput with the line of the first value that is below 0, or is 0 where that is not allowed.
+void check_column(const FitArguments& arguments, const FitInput& input, const std::vector<double>& values,
+                  bool may_be_zero, const std::string& rule) {
+  const auto wrong =
+      std::find_if(values.begin(), values.end(), [&](double v) { return v < 0 || (v == 0 && !may_be_zero); });
+  if (wrong == values.end()) return;
+  const auto row = static_cast<std::size_t>(wrong - values.begin());
+  throw InvalidInput(source_name(arguments) + ": line " + std::to_string(input.lines[row]) + ": " + rule + ", found " +
+                     number_text(*wrong, 10));
 }
 
 // Least and largest of the coordinates.
@@ -69,16 +71,19 @@ std::array<int, 2> as_integers(const std::array<std::int64_t, 2>& cells) {
 FitInput read_fit_input(const FitArguments& arguments) {
   TableOptions options{{arguments.x, arguments.y, arguments.value}, arguments.skip_invalid};
   if (!arguments.weight.empty()) options.columns.push_back(arguments.weight);
+  if (!arguments.tolerance_column.empty()) options.columns.push_back(arguments.tolerance_column);
   Table table = read_table(arguments.points, options);
   FitInput input;
   input.observations.x = std::move(table.columns[0]);
   input.observations.y = std::move(table.columns[1]);
   input.observations.value = std::move(table.columns[2]);
   if (!arguments.weight.empty()) input.observations.weight = std::move(table.columns[3]);
+  if (!arguments.tolerance_column.empty()) input.observations.tolerance = std::move(table.columns.back());
   std::copy_n(table.names.begin(), input.names.size(), input.names.begin());
   input.lines = std::move(table.lines);
   input.skipped = table.skipped;
-  check_weights(arguments, input);
+  check_column(arguments, input, input.observations.weight, true, "weights must not be negative");
+  check_column(arguments, input, input.observations.tolerance, false, "tolerances must be positive");
   return input;
 }
 

@@ -48,16 +48,30 @@ Smoothing checked(const FitOptions& options) {
   return result;
 }
 
+double tolerance_of(const Observations& o, std::size_t i, double unit) {
+  return o.tolerance.empty() ? unit : unit * o.tolerance[i];
+}
+
 /// Coincident points whose boxes z ± tolerance do not meet cannot both be fitted.
-void check_tolerance(const Observations& o, double tolerance) {
-  std::map<std::pair<double, double>, std::pair<std::size_t, std::size_t>> extremes;  // of the values at one place
+void check_tolerance(const Observations& o, double unit) {
+  if (!o.tolerance.empty() && o.tolerance.size() != o.size())
+    throw InvalidInput("fit_surface: expected a tolerance for each of " + std::to_string(o.size()) +
+                       " observations, found " + std::to_string(o.tolerance.size()));
+  for (std::size_t i = 0; i < o.tolerance.size(); ++i)
+    if (!(o.tolerance[i] > 0 && std::isfinite(o.tolerance[i])))
+      throw InvalidInput("fit_surface: expected positive tolerances, found " + text(o.tolerance[i]) +
+                         " at observation " + std::to_string(i + 1));
+  const auto top = [&](std::size_t i) { return o.value[i] + tolerance_of(o, i, unit); };
+  const auto bottom = [&](std::size_t i) { return o.value[i] - tolerance_of(o, i, unit); };
+  // at one place: the box with the lowest top and the one with the highest bottom
+  std::map<std::pair<double, double>, std::pair<std::size_t, std::size_t>> extremes;
   for (std::size_t i = 0; i < o.size(); ++i) {
     const auto [at, is_new] = extremes.try_emplace({o.x[i], o.y[i]}, i, i);
     auto& [low, high] = at->second;
-    if (o.value[i] < o.value[low]) low = i;
-    if (o.value[i] > o.value[high]) high = i;
-    if (o.value[high] - o.value[low] > 2 * tolerance)
-      throw InvalidInput("fit_surface: expected values at one place within twice the tolerance, found " +
+    if (top(i) < top(low)) low = i;
+    if (bottom(i) > bottom(high)) high = i;
+    if (bottom(high) > top(low))
+      throw InvalidInput("fit_surface: expected values at one place within their tolerances of each other, found " +
                          text(o.value[low]) + " (observation " + std::to_string(low + 1) + ") and " +
                          text(o.value[high]) + " (observation " + std::to_string(high + 1) + ") at (" + text(o.x[i]) +
                          ", " + text(o.y[i]) + ")");
@@ -102,8 +116,11 @@ ScaledFit solve_none(FitProblem& problem, const FitOptions& options, FitResult& 
   return solve_fixed(problem, interpolation_lambda, options);
 }
 
-ScaledFit solve_within(FitProblem& problem, const FitData& data, double tolerance, const FitOptions& options) {
-  return interpolate_within(problem, tolerance / data.scale, options);
+ScaledFit solve_within(FitProblem& problem, const FitData& data, const Observations& o, const FitOptions& options) {
+  std::vector<double> tolerances;
+  for (const std::size_t i : problem.order())
+    tolerances.push_back(tolerance_of(o, data.source[i], options.smoothing.value) / data.scale);
+  return interpolate_within(problem, tolerances, options);
 }
 
 /// Residuals, energy and fitted values in the units of the observations.
@@ -139,6 +156,20 @@ void measure(const Observations& o, const FitData& data, const FitProblem& probl
   result.accuracy = fit.accuracy;
 }
 
+/// Whether all observations that were fitted are within their tolerances. The worst point becomes the one that is
+/// farthest away in units of its own.
+void judge_tolerances(const Observations& o, double unit, FitResult& result) {
+  double worst = 0;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    if (std::isnan(result.fitted[i]) || (!o.weight.empty() && o.weight[i] == 0)) continue;
+    const double share = std::abs(result.fitted[i] - o.value[i]) / tolerance_of(o, i, unit);
+    if (share <= worst) continue;
+    worst = share;
+    result.worst_point = i;
+  }
+  result.tolerance_reached = worst <= 1;
+}
+
 }  // namespace
 
 FitResult fit_surface(const Observations& observations, const Rectangle& region, const FitOptions& options) {
@@ -167,7 +198,7 @@ FitResult fit_surface(const Observations& observations, const Rectangle& region,
       fit = timed(result.seconds, "solve", [&] { return solve_none(problem, options, result); });
       break;
     case Smoothing::Kind::Tolerance:
-      fit = timed(result.seconds, "solve", [&] { return solve_within(problem, data, smoothing.value, options); });
+      fit = timed(result.seconds, "solve", [&] { return solve_within(problem, data, observations, options); });
       break;
   }
   result.points_outside = prepared.outside;
@@ -181,8 +212,7 @@ FitResult fit_surface(const Observations& observations, const Rectangle& region,
   data.null_element.add_to(problem.hierarchy().finest().space, coefficients);
   result.solution = Solution(region, options.degree, std::move(coefficients));
   timed(result.seconds, "measure", [&] { measure(observations, data, problem, fit, result); });
-  if (smoothing.kind == Smoothing::Kind::Tolerance)
-    result.tolerance_reached = result.largest_residual <= smoothing.value;
+  if (smoothing.kind == Smoothing::Kind::Tolerance) judge_tolerances(observations, smoothing.value, result);
 
   if (options.standard_error)
     timed(result.seconds, "standard error", [&] {

@@ -18,6 +18,7 @@ namespace batten {
 /// Scattered measurements: value[i] at (x[i], y[i]) with weight[i] > 0, or weight 1 for all if `weight` is empty.
 struct Observations {
   std::vector<double> x, y, value, weight;
+  std::vector<double> tolerance;  ///< of each point, in units of that of Smoothing::within; empty: all 1
   std::size_t size() const { return x.size(); }
 };
 
@@ -35,6 +36,7 @@ struct Smoothing {
   static Smoothing automatic() { return {}; }
   static Smoothing fixed(double lambda) { return {Kind::Fixed, lambda}; }
   static Smoothing none() { return {Kind::None, 0}; }
+  /// Each point within this times its own tolerance.
   static Smoothing within(double tolerance) { return {Kind::Tolerance, tolerance}; }
 };
 

@@ -42,12 +42,18 @@ ScaledFit interpolate(FitProblem& problem, const FitOptions& options) {
 
 namespace {
 
-/// One problem of the method of multipliers: minimise λ E(p) + Σ w_i dist(p(x_i) + u_i, [z_i - t, z_i + t])².
+double largest_share(std::span<const double> values, std::span<const double> units) {
+  double result = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) result = std::max(result, std::abs(values[i]) / units[i]);
+  return result;
+}
+
+/// One problem of the method of multipliers: minimise λ E(p) + Σ w_i dist(p(x_i) + u_i, [z_i - t_i, z_i + t_i])².
 class BoxProblem {
 public:
-  BoxProblem(FitProblem& problem, double tolerance, const FitOptions& options)
+  BoxProblem(FitProblem& problem, std::span<const double> tolerances, const FitOptions& options)
       : problem_(problem),
-        tolerance_(tolerance),
+        tolerances_(tolerances.begin(), tolerances.end()),
         options_(options),
         multiplier_(problem.size()),
         active_(problem.size()) {}
@@ -57,7 +63,7 @@ public:
     auto e = problem_.residuals(c);  // z - p
     for (std::size_t i = 0; i < e.size(); ++i) {
       const double v = multiplier_[i] - e[i];
-      e[i] = v - std::clamp(v, -tolerance_, tolerance_);
+      e[i] = v - std::clamp(v, -inside * tolerances_[i], inside * tolerances_[i]);
     }
     return e;
   }
@@ -86,11 +92,12 @@ public:
 
   void update_multipliers(std::span<const double> c) { multiplier_ = excess(c); }
 
-  /// Largest |p(x_i) - z_i|.
-  double worst(std::span<const double> c) const { return largest(problem_.residuals(c)); }
+  /// Largest |p(x_i) - z_i| in units of the tolerance of its point.
+  double worst(std::span<const double> c) const { return largest_share(problem_.residuals(c), tolerances_); }
 
 private:
   static constexpr double free_weight = 1e-9;
+  static constexpr double inside = 1 - 1e-7;  // the margin is for what the multipliers leave
 
   /// c += minimiser of λ E(c + s) + Σ weight (s(x_i) - target_i)²
   void step(std::span<const double> weight, std::span<const double> target, ScaledFit& fit) {
@@ -107,7 +114,7 @@ private:
   }
 
   FitProblem& problem_;
-  double tolerance_;
+  std::vector<double> tolerances_;
   const FitOptions& options_;
   std::vector<double> multiplier_;
   std::vector<signed char> active_;
@@ -115,17 +122,17 @@ private:
 
 }  // namespace
 
-ScaledFit interpolate_within(FitProblem& problem, double tolerance, const FitOptions& options) {
+ScaledFit interpolate_within(FitProblem& problem, std::span<const double> tolerances, const FitOptions& options) {
   constexpr int most_steps = 12;
   ScaledFit fit{std::vector<double>(problem.system().size()), interpolation_lambda, 0, 0};
-  if (largest(problem.value()) <= tolerance) return fit;  // the null element is within the tolerance and has no energy
-  BoxProblem box(problem, tolerance * (1 - 1e-7), options);  // the margin is for what the multipliers leave
+  if (largest_share(problem.value(), tolerances) <= 1) return fit;  // the null element will do and has no energy
+  BoxProblem box(problem, tolerances, options);
   double before = INFINITY;
   for (int k = 0; k < most_steps; ++k) {
     box.solve_active_sets(fit);
     const double now = box.worst(fit.coefficients);
     if (options.progress) options.progress("active sets", static_cast<double>(k) / most_steps);
-    if (now <= tolerance || now > 0.999 * before) break;
+    if (now <= 1 || now > 0.999 * before) break;
     before = now;
     box.update_multipliers(fit.coefficients);
   }

@@ -3,6 +3,8 @@
 
 #include <batten/fem/fit_problem.h>
 
+#include <span>
+
 namespace batten {
 
 /// The λ of the augmented Lagrangian: small, so that few outer steps are needed; the solver does not mind.
@@ -12,9 +14,10 @@ constexpr double interpolation_lambda = 1e-14;
 /// moved by the residuals so far, until the largest residual is below 1e-10 of the data's range or stops falling.
 ScaledFit interpolate(FitProblem& problem, const FitOptions& options);
 
-/// Least energy with |p(x_i) - z_i| <= tolerance (in the scale of the data) [Kersey 2003], by the method of multipliers
+/// Least energy with |p(x_i) - z_i| <= tolerances_i (in the scale of the data, in the order of problem.points())
+/// [Kersey 2003], by the method of multipliers
 /// for the box of values of each point; each of its problems is solved by active sets: points inside their box are
 /// free.
-ScaledFit interpolate_within(FitProblem& problem, double tolerance, const FitOptions& options);
+ScaledFit interpolate_within(FitProblem& problem, std::span<const double> tolerances, const FitOptions& options);
 
 }  // namespace batten

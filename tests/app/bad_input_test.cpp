@@ -80,7 +80,8 @@ TEST(BadInput, points_on_a_line_do_not_determine_a_thin_plate) {
 }
 
 TEST(BadInput, coincident_points_further_apart_than_twice_the_tolerance) {
-  expect_bad_table("x,y,z\n0,0,1\n1,0,2\n0,0,4\n0,1,3\n", "--tolerance 1", "within twice the tolerance, found 1");
+  expect_bad_table("x,y,z\n0,0,1\n1,0,2\n0,0,4\n0,1,3\n", "--tolerance 1",
+                   "within their tolerances of each other, found 1");
   expect_bad_table("x,y,z\n0,0,1\n1,0,2\n0,0,4\n0,1,3\n", "--tolerance 1", "and 4 (observation 3) at (0, 0)");
 }
 
@@ -137,6 +138,7 @@ TEST(BadInput, options_that_exclude_or_need_each_other) {
 }
 
 TEST(BadInput, a_tolerance_that_is_not_positive) {
+  expect_failure(topo + "--tolerance-column z", 2, "--tolerance");
   expect_failure(topo + "--tolerance 0", 2, "--tolerance: '0' is not a positive number");
 }
 

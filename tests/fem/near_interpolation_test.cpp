@@ -114,6 +114,30 @@ TEST(Tolerance, gives_less_energy_than_any_smoothing_with_the_same_largest_resid
   }
 }
 
+TEST(Tolerance, may_be_one_for_each_point) {
+  auto o = random_observations(400, 3, franke);
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    o.value[i] += i % 2 ? 0.05 : -0.05;
+    o.tolerance.push_back(i % 3 == 0 ? 0.02 : 0.1);
+  }
+  const auto own = fit_surface(o, unit_square(64, 64), with(Smoothing::within(1)));
+  EXPECT_TRUE(own.tolerance_reached);
+  double tight = 0, wide = 0;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    double& largest = i % 3 == 0 ? tight : wide;
+    largest = std::max(largest, std::abs(own.fitted[i] - o.value[i]));
+  }
+  EXPECT_LE(tight, 0.02);
+  EXPECT_LE(wide, 0.1);
+  EXPECT_GT(wide, 0.05);
+  const auto half = fit_surface(o, unit_square(64, 64), with(Smoothing::within(0.5)));
+  EXPECT_GT(half.energy, own.energy);
+  o.tolerance.assign(o.size(), 0.02);
+  EXPECT_GT(fit_surface(o, unit_square(64, 64), with(Smoothing::within(1))).energy, own.energy);
+  o.tolerance[7] = 0;
+  EXPECT_THROW(fit_surface(o, unit_square(64, 64), with(Smoothing::within(1))), InvalidInput);
+}
+
 TEST(Tolerance, beyond_the_range_of_the_data_is_the_null_space) {
   const auto r = fit_surface(random_observations(300, 2, franke), unit_square(64, 64), with(Smoothing::within(2)));
   EXPECT_EQ(r.energy, 0);
