@@ -16,8 +16,8 @@ namespace batten {
 NaturalCubic interpolating_curve(std::vector<double> knots, const Eigen::MatrixXd& points, bool closed = false);
 
 /// The curve that minimises Σ_i w_i |p(t_i) - b_i|² + λ ∫ |p''|² dt [Reinsch 1967]; λ = 0 interpolates. Empty weights
-/// are all 1. Throws InvalidInput when a weight is not positive or λ negative; SolverError when points are so dense
-/// compared with the length over which λ smooths, more than some thousand within it, that rounding would show.
+/// are all 1. As accurate for every λ, up to the regression line. Throws InvalidInput when a weight is not positive or
+/// λ negative.
 NaturalCubic smoothing_curve(std::vector<double> knots, const Eigen::MatrixXd& points, std::span<const double> weights,
                              double lambda, bool closed = false);
 

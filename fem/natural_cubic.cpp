@@ -1,35 +1,62 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/blocks.h>
 #include <batten/domains/errors.h>
 #include <batten/fem/natural_cubic.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 
 namespace batten {
 
-NaturalCubic::NaturalCubic(std::vector<double> knots, Eigen::MatrixXd coefficients, bool closed)
-    : knots_(std::move(knots)), coefficients_(std::move(coefficients)), closed_(closed) {
-  require_knots();
-  if (!coefficients_.allFinite())
-    throw InvalidInput("NaturalCubic: coefficients must be finite, found one that is not");
+namespace {
+
+bool increases(const std::vector<double>& knots) {
+  const double bad = sum_blocks(RowBlocks(static_cast<int>(knots.size()) - 1, 1), [&](int begin, int end) {
+    int count = 0;
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const double width = knots[i + 1] - knots[i];
+      count += width > 0 && width <= std::numeric_limits<double>::max() ? 0 : 1;
+    }
+    return static_cast<double>(count);
+  });
+  return bad == 0;
 }
 
-void NaturalCubic::require_knots() const {
-  const auto expected = static_cast<Eigen::Index>(knots_.size()) - (closed_ ? 1 : 0);
-  const int least = closed_ ? 3 : 1;
-  if (cells() < least)
-    throw InvalidInput("NaturalCubic: at least " + std::to_string(least + 1) + " knots are needed" +
-                       (closed_ ? " for a closed curve" : "") + ", found " + std::to_string(knots_.size()));
-  if (rows() != expected)
-    throw InvalidInput("NaturalCubic: " + std::to_string(knots_.size()) + " knots have " + std::to_string(expected) +
-                       " coefficients, found " + std::to_string(rows()));
-  for (std::size_t i = 0; i + 1 < knots_.size(); ++i)
-    if (!(knots_[i] < knots_[i + 1]) || !std::isfinite(knots_[i + 1] - knots_[i]))
-      throw InvalidInput("NaturalCubic: knots must increase, found " + std::to_string(knots_[i]) + " and " +
-                         std::to_string(knots_[i + 1]) + " at places " + std::to_string(i) + " and " +
-                         std::to_string(i + 1));
+bool is_finite(const Eigen::MatrixXd& m) {
+  const double bad = sum_blocks(RowBlocks(static_cast<int>(m.size()), 1), [&](int begin, int end) {
+    int count = 0;
+    for (int i = begin; i < end; ++i) count += std::abs(m.data()[i]) <= std::numeric_limits<double>::max() ? 0 : 1;
+    return static_cast<double>(count);
+  });
+  return bad == 0;
+}
+
+}  // namespace
+
+NaturalCubic::NaturalCubic(std::vector<double> knots, Eigen::MatrixXd coefficients, bool closed)
+    : knots_(std::move(knots)), coefficients_(std::move(coefficients)), closed_(closed) {
+  require(knots_, coefficients_, closed_);
+}
+
+void NaturalCubic::require(const std::vector<double>& knots, const Eigen::MatrixXd& coefficients, bool closed) {
+  const std::size_t least = closed ? 4 : 2;
+  if (knots.size() < least)
+    throw InvalidInput("NaturalCubic: at least " + std::to_string(least) + " knots are needed" +
+                       (closed ? " for a closed curve" : "") + ", found " + std::to_string(knots.size()));
+  const auto expected = static_cast<Eigen::Index>(knots.size()) - (closed ? 1 : 0);
+  if (coefficients.rows() != expected)
+    throw InvalidInput("NaturalCubic: " + std::to_string(knots.size()) + " knots have " + std::to_string(expected) +
+                       " coefficients, found " + std::to_string(coefficients.rows()));
+  if (!increases(knots))
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+      if (!(knots[i] < knots[i + 1]) || !std::isfinite(knots[i + 1] - knots[i]))
+        throw InvalidInput("NaturalCubic: knots must increase, found " + std::to_string(knots[i]) + " and " +
+                           std::to_string(knots[i + 1]) + " at places " + std::to_string(i) + " and " +
+                           std::to_string(i + 1));
+  if (!is_finite(coefficients)) throw InvalidInput("NaturalCubic: coefficients must be finite, found one that is not");
 }
 
 double NaturalCubic::width(int cell) const {

@@ -20,6 +20,8 @@ public:
   /// the same place. Throws InvalidInput when the numbers of rows and knots do not fit, closed curves have less than 3
   /// cells, knots do not increase (naming the first two that do not), or a number is not finite.
   NaturalCubic(std::vector<double> knots, Eigen::MatrixXd coefficients, bool closed = false);
+  /// Throws what the constructor would, without a copy.
+  static void require(const std::vector<double>& knots, const Eigen::MatrixXd& coefficients, bool closed);
   /// The spline with these values at the knots and these second derivatives there, which have to fit to each other.
   static NaturalCubic from_values(std::vector<double> knots, const Eigen::MatrixXd& values,
                                   const Eigen::MatrixXd& second_derivatives, bool closed = false);
@@ -50,7 +52,6 @@ public:
 
 private:
   NaturalCubic() = default;
-  void require_knots() const;
   /// Of the coefficients before and after one, in what the curve or its second derivative is at its knot.
   struct Weights {
     double before, after;

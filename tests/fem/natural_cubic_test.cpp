@@ -4,8 +4,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -170,18 +172,101 @@ TEST(SmoothingCurve, solves_the_normal_equations) {
       }
 }
 
-TEST(SmoothingCurve, of_many_points_is_right_where_the_equations_are_ill_conditioned) {
-  // Points of a sine: the smoothing spline of sin(k t) is close to sin(k t) / (1 + λ k⁴) away from the ends, where the
-  // sum of squares stands for n times the integral.
-  const int n = 20001;
-  std::vector<double> knots;
-  Eigen::MatrixXd points(n - 1, 1);
-  const double period = 2 * std::numbers::pi, k = 3, lambda = 1e-2;
-  for (int i = 0; i < n; ++i) knots.push_back(period * i / (n - 1));
-  for (int i = 0; i + 1 < n; ++i) points(i, 0) = std::sin(k * knots[static_cast<std::size_t>(i)]);
-  const NaturalCubic curve = smoothing_curve(knots, points, {}, lambda * (n - 1) / period, true);
-  for (int i = 0; i + 1 < n; i += 100)
-    EXPECT_NEAR(curve.values()(i, 0), points(i, 0) / (1 + lambda * std::pow(k, 4)), 1e-9);
+TEST(SmoothingCurve, damps_a_sine_exactly_whatever_the_length_over_which_it_smooths) {
+  // On equal cells of width h the periodic smoothing spline of exp(i k t) is its multiple by 1 / (1 + λ E(k h) / h³):
+  // E is the symbol of forces for values on whole knots, (2 - 2 cos)² over the Fourier sum (4 + 2 cos) / 6.
+  for (int n : {1000, 20000, 1000000}) {
+    const double period = 2 * std::numbers::pi, h = period / n;
+    std::vector<double> knots(static_cast<std::size_t>(n) + 1);
+    for (int i = 0; i <= n; ++i) knots[static_cast<std::size_t>(i)] = period * i / n;
+    for (double length : {1., 10., 300., n / 300., n / 30., n / 3.}) {
+      const double lambda = std::pow(length, 4) * std::pow(h, 3);
+      for (int k : {1, 3, n / 7}) {
+        Eigen::MatrixXd points(n, 1);
+        for (int i = 0; i < n; ++i) points(i, 0) = std::sin(period * static_cast<double>(std::int64_t{k} * i % n) / n);
+        const double sine = std::sin(k * h / 2), energy = 16 * std::pow(sine, 4) / (1 - 2 * sine * sine / 3);
+        const Eigen::MatrixXd expected = points / (1 + std::pow(length, 4) * energy);
+        const double error = largest(smoothing_curve(knots, points, {}, lambda, true).values() - expected);
+        EXPECT_LT(error, 1e-10) << n << ' ' << length << ' ' << k;
+        if (k * length < n) {
+          EXPECT_LT(error, 1e-9 * largest(expected)) << n << ' ' << length << ' ' << k;
+        }
+      }
+    }
+  }
+}
+
+TEST(SmoothingCurve, is_the_regression_line_in_the_limit) {
+  for (int n : {2, 3, 50, 100000, 1000000}) {
+    const auto whole = random_knots(n - 1, 21);
+    std::vector<double> knots, weights;
+    Eigen::MatrixXd points = random_points(n, 2, 22);
+    long double w = 0, wt = 0, wtt = 0, wb = 0, wtb = 0;
+    for (int i = 0; i < n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      knots.push_back(1e6 + whole[k]);
+      weights.push_back(1 + i % 3);
+      points(i, 1) += 1e6 + 0.25 * whole[k];
+    }
+    for (int i = 0; i < n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const long double t = knots[k] - knots[0], weight = weights[k], b = points(i, 1) - 1e6;
+      w += weight, wt += weight * t, wtt += weight * t * t, wb += weight * b, wtb += weight * t * b;
+    }
+    const long double slope = (w * wtb - wt * wb) / (w * wtt - wt * wt), start = (wb - slope * wt) / w;
+    for (double lambda : {1e40, 1e300}) {
+      const Eigen::MatrixXd p = smoothing_curve(knots, points, weights, lambda).coefficients();
+      double error = 0;  // coefficients of a line lie on it, at the means of three knots; its ends are values
+      for (int i : {0, n - 1}) {
+        const long double t = knots[static_cast<std::size_t>(i)] - knots[0];
+        error = std::max(error, std::abs(static_cast<double>(p(i, 1) - (1e6 + start + slope * t))));
+      }
+      EXPECT_LT(error, 1e-9 * (largest(points) - 1e6 + 1)) << n << ' ' << lambda;
+    }
+    EXPECT_LT(largest(smoothing_curve(knots, points, weights, 1e300).coefficients().col(0)), 1 + 4.) << n;
+  }
+}
+
+TEST(SmoothingCurve, interpolates_in_the_other_limit_and_is_constant_in_the_closed_one) {
+  const auto knots = random_knots(3000, 23);
+  const Eigen::MatrixXd points = random_points(3000, 2, 24);
+  const Eigen::MatrixXd through = interpolating_curve(knots, points, true).coefficients();
+  for (double lambda : {1e-16, 1e-60, 1e-300})
+    EXPECT_LT(largest(smoothing_curve(knots, points, {}, lambda, true).coefficients() - through), 1e-10) << lambda;
+  for (double lambda : {1e30, 1e60, 1e300}) {
+    const Eigen::MatrixXd p = smoothing_curve(knots, points, {}, lambda, true).coefficients();
+    EXPECT_LT(largest(p.rowwise() - points.colwise().mean()), 1e-9) << lambda;
+  }
+}
+
+TEST(Curves, of_many_blocks_are_solutions_too) {
+  for (bool closed : {false, true})
+    for (int cells : {63, 127, 128, 129, 1000, 9001}) {
+      const auto knots = random_knots(cells, 25);
+      const int n = closed ? cells : cells + 1;
+      const Eigen::MatrixXd points = random_points(n, 2, 26);
+      const NaturalCubic through = interpolating_curve(knots, points, closed);
+      EXPECT_LT(largest(through.values() - points), 1e-12) << cells;
+      for (double lambda : {1e-6, 1., 1e4}) {
+        const NaturalCubic near = smoothing_curve(knots, points, {}, lambda, closed);
+        const Eigen::MatrixXd gradient = near.values() - points + lambda * near.forces();  // p - b + λ E p = 0
+        EXPECT_LT(largest(gradient), 1e-9 * (1 + lambda)) << cells << ' ' << lambda;
+      }
+    }
+}
+
+TEST(Curves, have_the_same_bits_for_every_number_of_threads) {
+  const auto knots = random_knots(30000, 27);
+  const Eigen::MatrixXd points = random_points(30000, 2, 28);
+  const int threads = omp_get_max_threads();
+  std::vector<Eigen::MatrixXd> results;
+  for (int count : {1, 2, 3}) {
+    omp_set_num_threads(count);
+    results.push_back(interpolating_curve(knots, points, true).coefficients());
+    results.push_back(smoothing_curve(knots, points, {}, 1e5, true).coefficients());
+  }
+  omp_set_num_threads(threads);
+  for (std::size_t k = 2; k < results.size(); ++k) EXPECT_TRUE(results[k] == results[k % 2]) << k;
 }
 
 TEST(SmoothingCurve, moves_from_the_points_to_their_regression_line) {
