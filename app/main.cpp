@@ -68,7 +68,7 @@ int run_parsed(const CLI::App& app, const std::vector<Subcommand>& commands) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Smooth surfaces of least energy through scattered data", "batten");
+  CLI::App app("Curves and surfaces of least energy, and subdivision schemes", "batten");
   app.set_version_flag("--version", "batten " BATTEN_VERSION);
   app.set_help_flag("-h,--help", "print this help and exit");
   app.footer("batten COMMAND --help explains each command.");

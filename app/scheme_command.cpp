@@ -131,6 +131,7 @@ Subcommand add_scheme_command(CLI::App& app) {
   const auto a = std::make_shared<SchemeArguments>();
   parser->add_option("NAME", a->name, "one of " + scheme_names() + ", quotient")->required()->option_text(" ");
   add_making_options(*parser, *a);
+  add_quotient_options(*parser, *a);
   parser->add_option("--level", a->level, "of the grid of values, and of the mask where it changes")
       ->option_text("K")
       ->check(CLI::Range(0, 12));

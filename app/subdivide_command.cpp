@@ -66,7 +66,10 @@ Subcommand add_subdivide_command(CLI::App& app) {
   parser->add_option("INPUT", a->input, "table of points with a header, or matrix of numbers; - reads standard input")
       ->required()
       ->option_text(" ");
-  parser->add_option("--scheme", a->scheme.name, "one of " + scheme_names() + ", natural-cubic")
+  parser
+      ->add_option(
+          "--scheme", a->scheme.name,
+          "one of " + scheme_names() + ", natural-cubic, bounded-harmonic, bounded-thin-plate, bounded-tension")
       ->required()
       ->option_text("NAME");
   add_making_options(*parser, a->scheme);
