@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What stands in for image_file, point_file, curve_file, picture and chart where Batten is built without VTK.
+// What stands in for image_file, point_file, curve_file, picture, chart and png where Batten is built without VTK.
 #include <batten/domains/errors.h>
 #include <batten/io/chart.h>
 #include <batten/io/curve_file.h>
 #include <batten/io/image_file.h>
 #include <batten/io/picture.h>
+#include <batten/io/png.h>
 #include <batten/io/point_file.h>
 
 namespace batten {
@@ -35,6 +36,8 @@ Chart draw_chart(std::span<const ChartLine>, const ChartOptions&) { refuse("draw
 void write_chart(const std::filesystem::path& path, std::span<const ChartLine>, const ChartOptions&) {
   refuse(path.string(), " and cannot draw pictures");
 }
+
+std::string encode_png(int, int, std::span<const std::uint8_t>) { refuse("encode_png", " and cannot draw pictures"); }
 
 Picture draw_picture(const GridSamples&, const ScatteredSamples&, const PictureOptions&) {
   refuse("draw_picture", " and cannot draw pictures");
