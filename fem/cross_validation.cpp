@@ -12,7 +12,8 @@ namespace batten {
 namespace {
 
 constexpr double misfit_accuracy = 1e-3, probe_accuracy = 1e-2;  // of the first solves
-constexpr double coarse_step = 2, fine_step = 0.1;               // in log10 λ
+constexpr double exact_accuracy = 1e-6;  // of the first solves for data that may be exact: their misfits are small
+constexpr double coarse_step = 2, fine_step = 0.1;  // in log10 λ
 constexpr double refining_step = 0.4;
 
 int probe_count(std::size_t points) { return points < 200 ? 12 : points < 2000 ? 6 : points < 20000 ? 2 : 1; }
@@ -37,6 +38,9 @@ public:
     double free;   ///< all probes' estimate
     double score() const { return free > 0 ? misfit / (free * free) : std::numeric_limits<double>::infinity(); }
   };
+
+  /// Expect misfits that are small against the data.
+  void expect_exact(bool expected) { first_accuracy_ = expected ? exact_accuracy : misfit_accuracy; }
 
   Value operator()(double log_lambda) {
     const auto known = values_.find(log_lambda);
@@ -79,7 +83,7 @@ private:
     for (std::size_t i = 0; i < v.size(); ++i) size += problem_.weight()[i] * v[i] * v[i];
     std::vector<double> image(c.size());
     IterationLimits limits = limits_;
-    limits.accuracy = needs_misfit ? misfit_accuracy : probe_accuracy;
+    limits.accuracy = needs_misfit ? first_accuracy_ : probe_accuracy;
     for (;;) {
       work_ += solve(problem_.system(), b, c, limits, std::sqrt(std::max(0., product(b)))).iterations + 1;
       problem_.system().apply(c, image);
@@ -102,14 +106,18 @@ private:
   std::vector<std::vector<double>> probes_, starts_;
   std::vector<double> at_points_ = std::vector<double>(problem_.size());
   std::map<double, Value> values_;
-  double work_ = 0;
+  double work_ = 0, first_accuracy_ = misfit_accuracy;
 };
 
 /// Steps down from large λ until the score has risen twice, then halves the step around the least score. On the last
 /// grid, where that is expensive, it first asks whether the data are exact: the score still halves at the lower end.
 void search(Score& score, const FitOptions& options, bool last_grid) {
   const double top = std::log10(largest_lambda), bottom = std::log10(smallest_lambda);
-  if (last_grid && score(bottom + coarse_step).score() > 2 * score(bottom).score()) return;
+  if (last_grid) {
+    score.expect_exact(true);
+    if (score(bottom + coarse_step).score() > 2 * score(bottom).score()) return;
+    score.expect_exact(false);
+  }
   double least = score(top).score();
   int rises = 0;
   for (double x = top - coarse_step; x > bottom - coarse_step / 2 && rises < 2; x -= coarse_step) {
