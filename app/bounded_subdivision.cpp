@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/bounded_subdivision.h>
+#include <batten/app/fit_arguments.h>
 #include <batten/app/grid_output.h>
 #include <batten/app/number_text.h>
 #include <batten/app/output_names.h>
@@ -20,12 +21,12 @@ namespace batten {
 namespace {
 
 constexpr std::array names = {"bounded-harmonic", "bounded-thin-plate", "bounded-tension"};
-constexpr double usual_tension = 0.9;
 constexpr int padded_cells = 8;  // of the small domain whose rules are padded
 
 Energy energy_of(const SubdivideArguments& a) {
   if (a.scheme.name == "bounded-harmonic") return Energy::membrane();
-  return a.scheme.name == "bounded-tension" ? Energy::tension(a.tension.value_or(usual_tension)) : Energy::thin_plate();
+  return a.scheme.name == "bounded-tension" ? Energy::tension(a.tension.value_or(default_tension))
+                                            : Energy::thin_plate();
 }
 
 /// The domain on which `cells` coarse cells are halved `levels` times. Values are the coefficients of splines: hats for
@@ -68,8 +69,8 @@ Eigen::VectorXd padded_subdivided(const SubdivideArguments& a, std::array<int, 2
   return p;
 }
 
-void check_options(const SubdivideArguments& a) {
-  batten::check_options(a.scheme, {}, {});
+void refuse_others(const SubdivideArguments& a) {
+  check_options(a.scheme, {}, {});
   const auto refuse = [&](bool is_given, const std::string& option) {
     if (is_given) throw UsageError(a.scheme.name + " has no option " + option);
   };
@@ -83,7 +84,7 @@ void check_options(const SubdivideArguments& a) {
 bool is_bounded_scheme(const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
 
 void subdivide_bounded(const SubdivideArguments& a) {
-  check_options(a);
+  refuse_others(a);
   check_output_name("-o", a.output, {".vti", ".csv"});
   check_output_name("--picture", a.picture, {".png"});
   Progress progress("batten subdivide", a.quiet);

@@ -19,14 +19,14 @@ namespace {
 
 const std::string natural_cubic = "natural-cubic";
 
-void check_options(const SubdivideArguments& a) {
+void refuse_others(const SubdivideArguments& a) {
   const auto refuse = [](bool is_given, const std::string& text) {
     if (is_given) throw UsageError(text);
   };
   refuse(!a.boundary.empty(), "--boundary is for grids; a curve is open, or --closed");
   refuse(a.interpolate + a.smoothing.has_value() + a.tolerance.has_value() > 1,
          "--interpolate, --smoothing and --tolerance exclude each other");
-  if (a.scheme.name == natural_cubic) return batten::check_options(a.scheme, {}, {});
+  if (a.scheme.name == natural_cubic) return check_options(a.scheme, {}, {});
   const std::string only = " is for --scheme natural-cubic, found " + a.scheme.name;
   refuse(a.interpolate, "--interpolate" + only);
   refuse(a.smoothing.has_value(), "--smoothing" + only);
@@ -100,7 +100,7 @@ bool is_curve(const SubdivideArguments& arguments) {
 }
 
 void subdivide_curve(const SubdivideArguments& a) {
-  check_options(a);
+  refuse_others(a);
   check_output_name("-o", a.output, {".vtp", ".csv"});
   check_output_name("--picture", a.picture, {".png"});
   Progress progress("batten subdivide", a.quiet);

@@ -7,10 +7,8 @@
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/usage_error.h>
 #include <batten/bases/subdivide.h>
-#include <batten/domains/errors.h>
 #include <batten/io/matrix_file.h>
 
-#include <cmath>
 #include <iostream>
 
 namespace batten {
@@ -19,14 +17,7 @@ namespace {
 /// Whether the mask is even in x and in y, so that reflection is defined.
 bool is_even(const Scheme2& scheme) {
   const auto mask = scheme.mask();
-  for (std::size_t axis : {0, 1}) {
-    try {
-      require_ends("batten subdivide", mask, axis, Ends::Reflect);
-    } catch (const InvalidInput&) {
-      return false;
-    }
-  }
-  return true;
+  return is_even(mask, 0) && is_even(mask, 1);
 }
 
 /// On a grid a scheme of the line acts in x and in y, centred so that the grid does not drift.

@@ -11,7 +11,6 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
-#include <string_view>
 
 namespace batten {
 namespace {

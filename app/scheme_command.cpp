@@ -107,9 +107,10 @@ void run_polyharmonic(const SchemeArguments& arguments) {
     return;
   }
   const PolyharmonicMask mask = polyharmonic_mask_of(arguments);
-  const std::string account = polyharmonic_account(mask, arguments, Fractions::Exact);
+  const std::string account =
+      polyharmonic_account(mask, arguments, arguments.json ? Fractions::Exact : Fractions::Short);
   write_polyharmonic_outputs(mask, arguments);
-  print(arguments, account, scheme_table(polyharmonic_account(mask, arguments, Fractions::Short), ""));
+  print(arguments, account, scheme_table(account, ""));
 }
 
 void run_scheme(const SchemeArguments& arguments) {

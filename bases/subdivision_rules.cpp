@@ -108,19 +108,23 @@ std::ptrdiff_t place_of(std::ptrdiff_t i, std::ptrdiff_t n, Ends ends) {
 }
 
 template <int D>
-void require_ends(const char* function, const LaurentPolynomial<double, D>& mask, std::size_t axis, Ends ends) {
-  if (ends != Ends::Reflect) return;
-  bool is_even = mask.half()[axis] == 0 && mask.first()[axis] == -mask.last()[axis];
+bool is_even(const LaurentPolynomial<double, D>& mask, std::size_t axis) {
+  if (mask.half()[axis] != 0 || mask.first()[axis] != -mask.last()[axis]) return false;
   const Index<D> first = mask.first(), size = mask.size();
-  for (std::size_t k = 0; is_even && k < mask.coefficients().size(); ++k) {
+  for (std::size_t k = 0; k < mask.coefficients().size(); ++k) {
     Index<D> at = first;
     at[0] += static_cast<int>(k) % size[0];
     if constexpr (D == 2) at[1] += static_cast<int>(k) / size[0];
     const double c = mask.coefficients()[k];
     at[axis] = -at[axis];
-    is_even = mask[at] == c;
+    if (mask[at] != c) return false;
   }
-  if (!is_even)
+  return true;
+}
+
+template <int D>
+void require_ends(const char* function, const LaurentPolynomial<double, D>& mask, std::size_t axis, Ends ends) {
+  if (ends == Ends::Reflect && !is_even(mask, axis))
     throw InvalidInput(std::string(function) + ": reflection at the ends needs a mask that is symmetric about 0 in " +
                        (axis == 0 ? "x" : "y") + ", found one that is not");
 }
@@ -196,6 +200,8 @@ void refine_groups_into(const AxisRules& rules, const double* weights, const dou
     refine_by_three(rules, weights, in, groups, out);
 }
 
+template bool is_even(const Mask<double>&, std::size_t);
+template bool is_even(const Mask2<double>&, std::size_t);
 template void require_ends(const char*, const Mask<double>&, std::size_t, Ends);
 template void require_ends(const char*, const Mask2<double>&, std::size_t, Ends);
 template AxisRules axis_rules(const Mask<double>&, std::size_t, int);

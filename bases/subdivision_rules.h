@@ -20,6 +20,10 @@ enum class Ends {
 /// Where the old point i is found among n that are numbered 0 .. n - 1; -1 where there is none.
 std::ptrdiff_t place_of(std::ptrdiff_t i, std::ptrdiff_t n, Ends ends);
 
+/// Whether the mask is symmetric about 0 on an axis, as Ends::Reflect needs it.
+template <int D>
+bool is_even(const LaurentPolynomial<double, D>& mask, std::size_t axis);
+
 /// Throws InvalidInput, which begins with `function`, when the ends ask for a symmetry that the mask lacks on an axis.
 template <int D>
 void require_ends(const char* function, const LaurentPolynomial<double, D>& mask, std::size_t axis, Ends ends);

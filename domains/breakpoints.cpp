@@ -39,6 +39,12 @@ Breakpoints Breakpoints::uniform(double lower, double upper, int cells) {
   return result;
 }
 
+bool Breakpoints::is_uniform() const {
+  for (int cell = 1; cell < cells(); ++cell)
+    if (width(cell) != width(0)) return false;
+  return true;
+}
+
 double Breakpoints::width(int cell) const {
   const auto c = static_cast<std::size_t>(cell);
   return positions_[c + 1] - positions_[c];

@@ -26,6 +26,8 @@ public:
   std::span<const double> positions() const { return positions_; }
   /// Length of a cell in units.
   double width(int cell) const;
+  /// Whether all cells have the same length, bit by bit.
+  bool is_uniform() const;
   double coordinate(int i) const { return lower_ + unit_ * positions_[static_cast<std::size_t>(i)]; }
 
   bool can_coarsen() const { return cells() >= 2; }

@@ -9,13 +9,6 @@
 namespace batten {
 namespace {
 
-bool is_even(const Breakpoints& breakpoints) {
-  const double first = breakpoints.width(0);
-  for (int i = 1; i < breakpoints.cells(); ++i)
-    if (breakpoints.width(i) != first) return false;
-  return true;
-}
-
 /// Values of the functions at the breakpoints.
 Eigen::SparseMatrix<double> values_at_breakpoints(const KnotSplines& basis) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -45,7 +38,7 @@ void blank_outside(const SplineLevel& level, Eigen::MatrixXd& values) {
 
 GridSamples corner_samples(const SplineLevel& level, const Eigen::VectorXd& coefficients) {
   const Breakpoints &x = level.x().breakpoints(), &y = level.y().breakpoints();
-  if (level.is_interval() || !is_even(x) || !is_even(y))
+  if (level.is_interval() || !x.is_uniform() || !y.is_uniform())
     throw InvalidInput("corner_samples: a rectangle of equal cells is expected, found one that is not");
   if (coefficients.size() != level.size())
     throw InvalidInput("corner_samples: the level has " + std::to_string(level.size()) + " coefficients, found " +

@@ -39,19 +39,18 @@ public:
     double score() const { return free > 0 ? misfit / (free * free) : std::numeric_limits<double>::infinity(); }
   };
 
-  /// Expect misfits that are small against the data.
-  void expect_exact(bool expected) { first_accuracy_ = expected ? exact_accuracy : misfit_accuracy; }
-
-  Value operator()(double log_lambda) {
+  /// `accuracy`: of the first solve for the data.
+  Value operator()(double log_lambda, double accuracy = misfit_accuracy) {
     const auto known = values_.find(log_lambda);
     if (known != values_.end()) return known->second;
     problem_.system().set(std::pow(10., log_lambda), problem_.weight());
-    Value value{objective(problem_.value(), starts_[0], true).misfit, 0, 0};
+    Value value{objective(problem_.value(), starts_[0], accuracy, true).misfit, 0, 0};
     for (std::size_t k = 0; k < probes_.size(); ++k) {
       // a probe's solution is rough: coarser levels give a better start than another λ
       if (problem_.system().can_predict()) std::fill(starts_[k + 1].begin(), starts_[k + 1].end(), 0.);
       // ξ·(I - H) ξ / N in the basis in which H is symmetric
-      const double free = objective(probes_[k], starts_[k + 1], false).least / static_cast<double>(problem_.size());
+      const double free =
+          objective(probes_[k], starts_[k + 1], probe_accuracy, false).least / static_cast<double>(problem_.size());
       if (k == 0) value.first = free;
       value.free += free / static_cast<double>(probes_.size());
     }
@@ -74,7 +73,7 @@ private:
 
   /// Solves for the values v, as accurately as the result asks: its error is the square of the one in p, in the energy
   /// norm. Starts at c and leaves the solution there.
-  Objective objective(const std::vector<double>& v, std::vector<double>& c, bool needs_misfit) {
+  Objective objective(const std::vector<double>& v, std::vector<double>& c, double accuracy, bool needs_misfit) {
     const auto b = problem_.right_side(problem_.weight(), v);
     const auto product = [&](const std::vector<double>& a) {
       return std::inner_product(a.begin(), a.end(), c.begin(), 0.);
@@ -83,7 +82,7 @@ private:
     for (std::size_t i = 0; i < v.size(); ++i) size += problem_.weight()[i] * v[i] * v[i];
     std::vector<double> image(c.size());
     IterationLimits limits = limits_;
-    limits.accuracy = needs_misfit ? first_accuracy_ : probe_accuracy;
+    limits.accuracy = accuracy;
     for (;;) {
       work_ += solve(problem_.system(), b, c, limits, std::sqrt(std::max(0., product(b)))).iterations + 1;
       problem_.system().apply(c, image);
@@ -106,18 +105,15 @@ private:
   std::vector<std::vector<double>> probes_, starts_;
   std::vector<double> at_points_ = std::vector<double>(problem_.size());
   std::map<double, Value> values_;
-  double work_ = 0, first_accuracy_ = misfit_accuracy;
+  double work_ = 0;
 };
 
 /// Steps down from large λ until the score has risen twice, then halves the step around the least score. On the last
 /// grid, where that is expensive, it first asks whether the data are exact: the score still halves at the lower end.
 void search(Score& score, const FitOptions& options, bool last_grid) {
   const double top = std::log10(largest_lambda), bottom = std::log10(smallest_lambda);
-  if (last_grid) {
-    score.expect_exact(true);
-    if (score(bottom + coarse_step).score() > 2 * score(bottom).score()) return;
-    score.expect_exact(false);
-  }
+  const auto exact_score = [&](double x) { return score(x, exact_accuracy).score(); };
+  if (last_grid && exact_score(bottom + coarse_step) > 2 * exact_score(bottom)) return;
   double least = score(top).score();
   int rises = 0;
   for (double x = top - coarse_step; x > bottom - coarse_step / 2 && rises < 2; x -= coarse_step) {

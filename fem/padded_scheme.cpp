@@ -11,12 +11,7 @@ namespace batten {
 namespace {
 
 void check_small(const VariationalDomain& small) {
-  const auto fits = [](const Breakpoints& b) {
-    const auto t = b.positions();
-    for (int c = 1; c < b.cells(); ++c)
-      if (b.width(c) != b.width(0)) return false;
-    return t.size() >= 5 && b.cells() % 2 == 0;
-  };
+  const auto fits = [](const Breakpoints& b) { return b.is_uniform() && b.cells() >= 4 && b.cells() % 2 == 0; };
   if (!small.coefficient.empty() || !small.inside.empty() || !fits(small.x) || (small.y && !fits(*small.y)))
     throw InvalidInput(
         "PaddedScheme: expected equal cells, at least 4 and an even number in each direction, without coefficient and "

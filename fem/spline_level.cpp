@@ -97,11 +97,7 @@ void check_mask(const std::vector<char>& inside, int nx) {
 }
 
 void check_triangles(const VariationalDomain& domain) {
-  const auto even = [](const Breakpoints& b) {
-    for (int c = 1; c < b.cells(); ++c)
-      if (b.width(c) != b.width(0)) return false;
-    return b.cells() % 2 == 0;
-  };
+  const auto even = [](const Breakpoints& b) { return b.is_uniform() && b.cells() % 2 == 0; };
   const auto& terms = domain.energy.terms();
   const bool first = std::all_of(terms.begin(), terms.end(), [](auto& t) { return t.x_order + t.y_order == 1; });
   if (domain.degree != 1 || !first || !domain.y || !even(domain.x) || !even(*domain.y) || !domain.inside.empty() ||

@@ -2,6 +2,7 @@
 #include <batten/tests/app/command_run.h>
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -162,6 +163,12 @@ Outcome run_batten(const Folder& folder, const std::vector<std::string>& argumen
 Outcome run_shell(const Folder& folder, const std::string& line) {
   const std::string path = fs::path(BATTEN_COMMAND).parent_path();
   return run(folder.path(), {"sh", "-c", "PATH='" + path + "':$PATH; " + line}, {});
+}
+
+void expect_refusal(const Outcome& outcome, int status, const std::string& message) {
+  EXPECT_EQ(outcome.status, status) << outcome.out;
+  EXPECT_THAT(outcome.err, testing::HasSubstr(message));
+  EXPECT_THAT(lines(outcome.err), testing::SizeIs(1)) << outcome.err;
 }
 
 std::vector<std::string> words(const std::string& line) {

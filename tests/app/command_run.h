@@ -54,6 +54,9 @@ Outcome run_batten(const Folder& folder, const std::vector<std::string>& argumen
 /// Runs a line of the shell in the folder; `batten` on its path is the command under test.
 Outcome run_shell(const Folder& folder, const std::string& line);
 
+/// A refusal: this exit status and one line on standard error that holds the message.
+void expect_refusal(const Outcome& outcome, int status, const std::string& message);
+
 /// Splits at blanks: what a shell would do with a line without quotes.
 std::vector<std::string> words(const std::string& line);
 

@@ -29,9 +29,7 @@ json account(const std::string& arguments) {
 void expect_failure(const std::string& arguments, int status, const std::string& message) {
   const Folder folder;
   const Outcome outcome = run(folder, arguments);
-  EXPECT_EQ(outcome.status, status) << outcome.out;
-  EXPECT_THAT(outcome.err, HasSubstr(message));
-  EXPECT_THAT(lines(outcome.err), SizeIs(1)) << outcome.err;
+  expect_refusal(outcome, status, message);
   EXPECT_THAT(folder.names(), testing::IsEmpty());
 }
 

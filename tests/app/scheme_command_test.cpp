@@ -29,10 +29,8 @@ json account(std::vector<std::string> arguments) {
 void expect_failure(const std::vector<std::string>& arguments, int status, const std::string& message) {
   const Folder folder;
   const Outcome outcome = run(folder, arguments);
-  EXPECT_EQ(outcome.status, status) << outcome.out;
+  expect_refusal(outcome, status, message);
   EXPECT_THAT(outcome.err, testing::StartsWith("batten scheme: "));
-  EXPECT_THAT(outcome.err, HasSubstr(message));
-  EXPECT_THAT(lines(outcome.err), SizeIs(1)) << outcome.err;
   EXPECT_THAT(folder.names(), testing::IsEmpty());
 }
 

@@ -25,9 +25,7 @@ protected:
 
   void expect_failure(const std::string& arguments, int status, const std::string& message) {
     const Outcome outcome = run(arguments + " -o a.csv");
-    EXPECT_EQ(outcome.status, status) << outcome.out;
-    EXPECT_THAT(outcome.err, HasSubstr(message));
-    EXPECT_THAT(lines(outcome.err), SizeIs(1)) << outcome.err;
+    expect_refusal(outcome, status, message);
     EXPECT_FALSE(folder_.has("a.csv"));
   }
 

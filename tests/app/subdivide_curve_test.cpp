@@ -20,9 +20,7 @@ Outcome subdivide(const Folder& folder, const std::string& arguments) {
 void expect_failure(const Folder& folder, const std::string& arguments, int status, const std::string& message) {
   const auto before = folder.names();
   const Outcome outcome = subdivide(folder, arguments);
-  EXPECT_EQ(outcome.status, status) << outcome.out;
-  EXPECT_THAT(outcome.err, HasSubstr(message));
-  EXPECT_THAT(lines(outcome.err), SizeIs(1)) << outcome.err;
+  expect_refusal(outcome, status, message);
   EXPECT_EQ(folder.names(), before);
 }
 

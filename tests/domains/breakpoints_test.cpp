@@ -27,6 +27,8 @@ TEST(Breakpoints, coarser_levels_keep_every_second_one_and_end_with_three_cells_
 
 TEST(Breakpoints, of_equal_cells_are_whole_numbers_in_every_unit) {
   EXPECT_THAT(Breakpoints::uniform(0.1, 0.7, 3).positions(), ElementsAre(0, 1, 2, 3));
+  EXPECT_TRUE(Breakpoints::uniform(0.1, 0.7, 3).is_uniform());
+  EXPECT_FALSE(Breakpoints(std::vector<double>{0, 1, 3}).is_uniform());
   EXPECT_NEAR(Breakpoints::uniform(0.1, 0.7, 3).unit(), 0.2, 1e-16);
 }
 

@@ -5,6 +5,7 @@
 #include <batten/fem/local_scheme.h>
 #include <batten/fem/variational_scheme.h>
 
+#include "../support/message_of.h"
 #include "../support/variational_domains.h"
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -233,34 +234,26 @@ TEST(LocalScheme, gives_the_same_bits_for_every_thread_count) {
   omp_set_num_threads(all);
 }
 
-template <typename Work>
-std::string message_of(Work&& work) {
-  try {
-    work();
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
-
 TEST(LocalScheme, says_what_is_wrong_with_its_input) {
   using testing::HasSubstr;
   const auto plate = variational_domain(Energy::thin_plate(), 3, 8, 8);
-  EXPECT_THAT(message_of([&] { Step(plate, Measurement::CentreValues).local(0); }),
+  EXPECT_THAT(message_of<InvalidInput>([&] { Step(plate, Measurement::CentreValues).local(0); }),
               HasSubstr("at least 1 layer, found 0"));
-  EXPECT_THAT(message_of([&] { Step(plate, Measurement::CellAverages); }),
+  EXPECT_THAT(message_of<InvalidInput>([&] { Step(plate, Measurement::CellAverages); }),
               HasSubstr("degree 1 for cell averages, found 3"));
-  EXPECT_THAT(message_of([&] { Step(plate, Measurement::GrevilleValues).local(1); }),
+  EXPECT_THAT(message_of<InvalidInput>([&] { Step(plate, Measurement::GrevilleValues).local(1); }),
               HasSubstr("only one measurement sees"));
-  EXPECT_THAT(message_of([&] { Step(plate, Measurement::CentreValues).local(1).apply(VectorXd::Zero(3)); }),
-              HasSubstr("16 measurements, found 3"));
-  EXPECT_THAT(message_of([&] { Step(with_mask(plate), Measurement::GrevilleValues); }), HasSubstr("lie in the domain"));
+  EXPECT_THAT(
+      message_of<InvalidInput>([&] { Step(plate, Measurement::CentreValues).local(1).apply(VectorXd::Zero(3)); }),
+      HasSubstr("16 measurements, found 3"));
+  EXPECT_THAT(message_of<InvalidInput>([&] { Step(with_mask(plate), Measurement::GrevilleValues); }),
+              HasSubstr("lie in the domain"));
 }
 
 TEST(SplineLevel, says_what_is_wrong_with_its_input) {
   using testing::HasSubstr;
   auto domain = variational_domain(Energy::membrane(), 1, 4, 4);
-  const auto message = [&] { return message_of([&] { SplineLevel{domain}; }); };
+  const auto message = [&] { return message_of<InvalidInput>([&] { SplineLevel{domain}; }); };
   domain.coefficient.assign(15, 1);
   EXPECT_THAT(message(), HasSubstr("one coefficient for each of 16 cells, found 15"));
   domain.coefficient.assign(16, 1);
@@ -276,7 +269,7 @@ TEST(SplineLevel, says_what_is_wrong_with_its_input) {
   EXPECT_THAT(message(), HasSubstr("found degree 1 and a derivative of order 2"));
   domain.energy = Energy::sum_of({{1, 1, 0}});
   EXPECT_THAT(message(), HasSubstr("a pure derivative in each direction, found none in y"));
-  EXPECT_THAT(message_of([] { spline_levels(variational_domain(Energy::membrane(), 1, 8, 5), 3); }),
+  EXPECT_THAT(message_of<InvalidInput>([] { spline_levels(variational_domain(Energy::membrane(), 1, 8, 5), 3); }),
               HasSubstr("cells for 3 coarsenings, found 8 x 5 cells, enough for 2"));
   EXPECT_THROW(Energy::sum_of({}), InvalidInput);
   EXPECT_THROW(Energy::sum_of({{1, 0, 0}}), InvalidInput);

@@ -3,6 +3,7 @@
 #include <batten/fem/operator.h>
 #include <batten/fem/variational_scheme.h>
 
+#include "../support/message_of.h"
 #include "../support/variational_domains.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -252,27 +253,27 @@ TEST_P(BellForm, energies_are_those_of_the_coarse_measurements) {
 INSTANTIATE_TEST_SUITE_P(Domains, BellForm, testing::ValuesIn(test::bell_form_domains()),
                          [](const auto& named) { return named.param.name; });
 
-/// The message of what `work` throws.
-template <typename Work>
-std::string message_of(Work&& work) {
-  try {
-    work();
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
-
 TEST(VariationalScheme, says_what_is_wrong_with_its_input) {
   using testing::HasSubstr;
   const auto levels = natural_cubic_levels(4, 1);
-  EXPECT_THAT(message_of([&] { VariationalScheme(levels, 1); }), HasSubstr("a step from 0 to 0, found 1"));
-  EXPECT_THAT(message_of([&] { VariationalScheme(levels, 0); }), HasSubstr("expected 2 independent weights"));
-  EXPECT_THAT(message_of([&] { VariationalScheme(levels, 0, {{0, 9}}); }), HasSubstr("from 0 to 4, found 9"));
-  EXPECT_THAT(message_of([&] { VariationalScheme(levels, 0, {{3, 3}}); }), HasSubstr("depend on each other"));
+  EXPECT_THAT(message_of<InvalidInput>([&] { VariationalScheme(levels, 1); }),
+              HasSubstr("a step from 0 to 0, found 1"));
+  EXPECT_THAT(message_of<InvalidInput>([&] { VariationalScheme(levels, 0); }),
+              HasSubstr("expected 2 independent weights"));
+  EXPECT_THAT(message_of<InvalidInput>([&] {
+                VariationalScheme(levels, 0, {{0, 9}});
+              }),
+              HasSubstr("from 0 to 4, found 9"));
+  EXPECT_THAT(message_of<InvalidInput>([&] {
+                VariationalScheme(levels, 0, {{3, 3}});
+              }),
+              HasSubstr("depend on each other"));
   auto wrong = levels;
   wrong.steps[0].M.coeffRef(1, 2) = 2;
-  EXPECT_THAT(message_of([&] { VariationalScheme(wrong, 0, {{0, 4}}); }), HasSubstr("map the null space"));
+  EXPECT_THAT(message_of<InvalidInput>([&] {
+                VariationalScheme(wrong, 0, {{0, 4}});
+              }),
+              HasSubstr("map the null space"));
 }
 
 }  // namespace

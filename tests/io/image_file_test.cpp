@@ -2,9 +2,9 @@
 #ifdef BATTEN_WITH_VTK
 #include <batten/domains/errors.h>
 #include <batten/io/image_file.h>
-#include <batten/tests/io/message_of.h>
 #include <batten/tests/io/temporary_folder.h>
 #include <batten/tests/io/vtk_text.h>
+#include <batten/tests/support/message_of.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
 #include <batten/io/matrix_file.h>
-#include <batten/tests/io/message_of.h>
 #include <batten/tests/io/temporary_folder.h>
+#include <batten/tests/support/message_of.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 #include <batten/domains/errors.h>
 #include <batten/io/output_file.h>
 #include <batten/io/table.h>
-#include <batten/tests/io/message_of.h>
 #include <batten/tests/io/temporary_folder.h>
+#include <batten/tests/support/message_of.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

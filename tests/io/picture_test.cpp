@@ -3,8 +3,8 @@
 #include <batten/domains/errors.h>
 #include <batten/io/colour_map.h>
 #include <batten/io/picture.h>
-#include <batten/tests/io/message_of.h>
 #include <batten/tests/io/temporary_folder.h>
+#include <batten/tests/support/message_of.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <batten/io/picture.h>
 #include <batten/io/png.h>
 #include <batten/io/point_file.h>
-#include <batten/tests/io/message_of.h>
+#include <batten/tests/support/message_of.h>
 
 #include <gtest/gtest.h>
 
