@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/fit_outputs.h>
 #include <batten/app/fit_report.h>
-#include <batten/app/number_text.h>
+#include <batten/domains/number_text.h>
 
 namespace batten {
 namespace {
