@@ -25,27 +25,35 @@ double largest_weight(std::span<const double> weights, Eigen::Index points) {
   return *std::max_element(weights.begin(), weights.end());
 }
 
+/// Refuses what the numbers were found to be: input first, then a result that overflows.
+NaturalCubic checked_curve(std::vector<double> knots, const Eigen::MatrixXd& points, bool closed,
+                           FoundCoefficients found) {
+  if (found.are_sound) return NaturalCubic::of_checked(std::move(knots), std::move(found.coefficients), closed);
+  NaturalCubic::require(knots, points, closed);
+  return {std::move(knots), std::move(found.coefficients), closed};
+}
+
 }  // namespace
 
 NaturalCubic interpolating_curve(std::vector<double> knots, const Eigen::MatrixXd& points, bool closed) {
-  NaturalCubic::require(knots, points, closed);
-  Eigen::MatrixXd coefficients = interpolation_coefficients(knots, points, closed);
-  return {std::move(knots), std::move(coefficients), closed};
+  NaturalCubic::require_sizes(knots, points, closed);
+  FoundCoefficients found = interpolation_coefficients(knots, points, closed);
+  return checked_curve(std::move(knots), points, closed, std::move(found));
 }
 
 NaturalCubic smoothing_curve(std::vector<double> knots, const Eigen::MatrixXd& points, std::span<const double> weights,
                              double lambda, bool closed) {
   if (!(lambda >= 0) || !std::isfinite(lambda))
     throw InvalidInput("smoothing_curve: lambda must be finite and not negative, found " + std::to_string(lambda));
-  NaturalCubic::require(knots, points, closed);
+  NaturalCubic::require_sizes(knots, points, closed);
   const double largest = largest_weight(weights, points.rows());
   if (lambda == 0) return interpolating_curve(std::move(knots), points, closed);
   SmoothingProblem problem{knots, points, weights, lambda, closed};
   // Beyond the limit λ changes the straight line of the limit by less than rounding.
   const double limit = 1e18 * largest * std::pow(static_cast<double>(points.rows()), 4);
   problem.lambda = std::clamp(lambda * std::pow(problem.per_unit(), 3), 1e-100 * largest, limit);
-  Eigen::MatrixXd coefficients = smoothing_coefficients(problem);
-  return {std::move(knots), std::move(coefficients), closed};
+  FoundCoefficients found = smoothing_coefficients(problem);
+  return checked_curve(std::move(knots), points, closed, std::move(found));
 }
 
 NaturalCubic curve_within(std::vector<double> knots, const Eigen::MatrixXd& points, std::span<const double> tolerances,

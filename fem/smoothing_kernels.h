@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/fem/curve_lanes.h>
+
+namespace batten {
+
+// The sweeps of smoothing_blocks.h along the blocks of a group. Kernels take one or two components at once: the
+// covariances of the filter, which are the same for all, are found anew for each pair.
+
+constexpr int most_together = 2;
+
+/// What is read of steps that follow each other, and what one sweep leaves for the next. Empty steps have width 0; what
+/// comes out at them and at the ends of an open curve is not used.
+struct SmoothingSteps {
+  /// `keeps`: with room for what the sweep back needs.
+  SmoothingSteps(int count, bool keeps);
+
+  int count;
+  LaneSteps widths;                                  // from that of the cell before the first step
+  LaneSteps softness;                                // λ / w
+  LaneSteps points[most_together];                   // b; replaced by coefficients
+  LaneSteps gain, slope_gain, pulls[most_together];  // P_00 / S, P_10 / S, (b - m_0) / S with S = P_00 + λ / w
+};
+
+struct LaneState {
+  Lanes value, slope;
+};
+/// (u v; v z) and its determinant.
+struct LaneCovariance {
+  Lanes u, v, z, det;
+};
+
+/// What the steps so far say about the ends of their block, see BlockElement.
+struct LaneElement {
+  LaneElement();
+
+  Lanes a[4];  // rows
+  LaneCovariance c;
+  Lanes j_uu, j_us, j_ss;
+  LaneState b[most_together], kappa[most_together];
+};
+
+/// The element of a block after more steps.
+void describe(const SmoothingSteps& steps, int components, LaneElement& element);
+
+/// From the states at the begin of a block and the costates at its end: coefficients in place of the points, and the
+/// values at the end in place of the states.
+void fill_in(SmoothingSteps& steps, int components, const LaneState* costates, LaneState* states);
+
+}  // namespace batten
