@@ -1,67 +1,89 @@
 // SPDX-License-Identifier: MIT
 #include <batten/fem/curve_lanes.h>
 
+#include <cstring>
 #include <type_traits>
 
-// Kernels are compiled for the instruction sets of the x86-64 levels and chosen at start; other processors get the
-// plain ones.
+// Two lanes by two steps are exchanged at a time, in registers that every processor with vectors has.
 
 namespace batten {
 namespace {
 
-/// Lane l from the line that is at place l.
-[[gnu::always_inline]] inline Lanes gathered(const double* const (&at)[lane_count], std::ptrdiff_t k) {
-  return Lanes{at[0][k], at[1][k], at[2][k], at[3][k], at[4][k], at[5][k], at[6][k], at[7][k]};
+using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
+
+Pair pair_at(const double* numbers) {
+  Pair pair;
+  std::memcpy(&pair, numbers, sizeof pair);
+  return pair;
 }
+
+void store(Pair pair, double* numbers) { std::memcpy(numbers, &pair, sizeof pair); }
 
 /// Asks for what is needed a tile later: processors foresee few of so many lines that are read at once.
 template <class Number>
-[[gnu::always_inline]] inline void prefetch(Number* const (&at)[lane_count], std::ptrdiff_t k) {
+void prefetch_tile(Number* const* lines, int count) {
   constexpr int writes = std::is_const_v<Number> ? 0 : 1, cache_line = 8;
-  if (k % cache_line != 0) return;
-  for (int l = 0; l < lane_count; ++l) __builtin_prefetch(at[l] + k + lane_tile, writes);
+  for (int l = 0; l < lane_count; ++l)
+    for (int k = 0; k < count; k += cache_line) __builtin_prefetch(lines[l] + k + lane_tile, writes);
 }
+
+/// Two steps of two lanes, or two lanes of two steps.
+struct Square {
+  Pair first, second;
+};
+Square exchanged(Pair a, Pair b) { return {Pair{a[0], b[0]}, Pair{a[1], b[1]}}; }
 
 }  // namespace
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#endif
 void gather_lanes(const double* const* lines, int count, LaneStep* steps) {
-  const double* at[lane_count];
-  for (int l = 0; l < lane_count; ++l) at[l] = lines[l];
-  for (int k = 0; k < count; ++k) {
-    prefetch(at, k);
-    steps[k].value = gathered(at, k);
+  prefetch_tile(lines, count);
+  for (int l = 0; l < lane_count; l += 2) {
+    const double *const a = lines[l], *const b = lines[l + 1];
+    auto* const out = reinterpret_cast<double*>(steps) + l;
+    int k = 0;
+    for (; k + 1 < count; k += 2) {
+      const Square step = exchanged(pair_at(a + k), pair_at(b + k));
+      store(step.first, out + lane_count * k);
+      store(step.second, out + lane_count * (k + 1));
+    }
+    if (k < count) store(Pair{a[k], b[k]}, out + lane_count * k);
   }
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#endif
 void gather_differences(const double* const* lines, int count, double scale, LaneStep* steps) {
   if (count == 0) return;
-  const double* at[lane_count];
-  for (int l = 0; l < lane_count; ++l) at[l] = lines[l];
-  Lanes last = gathered(at, 0);
-  for (int k = 0; k < count; ++k) {
-    prefetch(at, k);
-    const Lanes next = gathered(at, k + 1);
-    steps[k].value = (next - last) * scale;
-    last = next;
+  prefetch_tile(lines, count);
+  for (int l = 0; l < lane_count; l += 2) {
+    const double *const a = lines[l], *const b = lines[l + 1];
+    auto* const out = reinterpret_cast<double*>(steps) + l;
+    Pair last = {a[0], b[0]};
+    int k = 0;
+    for (; k + 1 < count; k += 2) {
+      const Square next = exchanged(pair_at(a + k + 1), pair_at(b + k + 1));
+      store((next.first - last) * scale, out + lane_count * k);
+      store((next.second - next.first) * scale, out + lane_count * (k + 1));
+      last = next.second;
+    }
+    if (k < count) store((Pair{a[k + 1], b[k + 1]} - last) * scale, out + lane_count * k);
   }
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#endif
 void scatter_lanes(const LaneStep* steps, int count, double* const* lines) {
-  double* at[lane_count];
-  for (int l = 0; l < lane_count; ++l) at[l] = lines[l];
-  for (int k = 0; k < count; ++k) {
-    prefetch(at, k);
-    const Lanes value = steps[k].value;
-    for (int l = 0; l < lane_count; ++l) at[l][k] = value[l];
+  for (int tile = 0; tile < count; tile += lane_tile) {
+    const int n = std::min(lane_tile, count - tile);
+    double* at[lane_count];
+    for (int l = 0; l < lane_count; ++l) at[l] = lines[l] + tile;
+    prefetch_tile(at, n);
+    for (int l = 0; l < lane_count; l += 2) {
+      const auto* const in = reinterpret_cast<const double*>(steps + tile) + l;
+      int k = 0;
+      for (; k + 1 < n; k += 2) {
+        const Square lane = exchanged(pair_at(in + lane_count * k), pair_at(in + lane_count * (k + 1)));
+        store(lane.first, at[l] + k);
+        store(lane.second, at[l + 1] + k);
+      }
+      if (k < n) at[l][k] = in[lane_count * k], at[l + 1][k] = in[lane_count * k + 1];
+    }
   }
 }
 

@@ -53,20 +53,20 @@ void scatter_lanes(const LaneStep* steps, int count, double* const* lines);
 /// steps[k] of lane l = the number of place starts[l] + k in a line, 0 <= k < count. read(l, place, n, buffer) says
 /// where n numbers that follow each other in the line of a lane are: there, or in the buffer that it has filled.
 template <class Read>
-void gather_lanes(const int* starts, int count, LaneSteps& steps, const Read& read) {
+void gather_lanes(const int* starts, int count, LaneStep* steps, const Read& read) {
   double buffers[lane_count][lane_tile];
   const double* lines[lane_count];
   for (int tile = 0; tile < count; tile += lane_tile) {
     const int n = std::min(lane_tile, count - tile);
     for (int l = 0; l < lane_count; ++l) lines[l] = read(l, starts[l] + tile, n, buffers[l]);
-    gather_lanes(lines, n, &steps[static_cast<std::size_t>(tile)]);
+    gather_lanes(lines, n, steps + tile);
   }
 }
 
 /// steps[k] of lane l = width(l, cell), cell = starts[l] + k, 0 <= k < count; which is (knots[cell + 1] - knots[cell])
 /// scale where 0 <= cell < ends[l].
 template <class Width>
-void gather_widths(const double* knots, double scale, const int* starts, const int* ends, int count, LaneSteps& steps,
+void gather_widths(const double* knots, double scale, const int* starts, const int* ends, int count, LaneStep* steps,
                    const Width& width) {
   const double* lines[lane_count];
   for (int tile = 0; tile < count; tile += lane_tile) {
@@ -77,9 +77,9 @@ void gather_widths(const double* knots, double scale, const int* starts, const i
       inside = cell < 0 ? 0 : std::clamp(ends[l] - cell, 0, inside);
       lines[l] = knots + cell;
     }
-    gather_differences(lines, inside, scale, &steps[static_cast<std::size_t>(tile)]);
+    gather_differences(lines, inside, scale, steps + tile);
     for (int k = tile + inside; k < tile + n; ++k)
-      for (int l = 0; l < lane_count; ++l) steps[static_cast<std::size_t>(k)].value[l] = width(l, starts[l] + k);
+      for (int l = 0; l < lane_count; ++l) steps[k].value[l] = width(l, starts[l] + k);
   }
 }
 

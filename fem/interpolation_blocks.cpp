@@ -127,10 +127,11 @@ private:
       before[l] = first[l] - 1;
       ends[l] = static_cast<int>(knots_.size()) - 1;
     }
-    gather_widths(knots_.data(), 1, before, ends, w.steps + 1, w.widths, [&](int, int row) { return width(row); });
+    gather_widths(knots_.data(), 1, before, ends, w.steps + 1, w.widths.data(),
+                  [&](int, int row) { return width(row); });
     for (Eigen::Index column = 0; column < points_.cols(); ++column) {
       const double* const values = points_.col(column).data();
-      gather_lanes(first, w.steps + 1, w.points, [&](int, int row, int n, double* buffer) -> const double* {
+      gather_lanes(first, w.steps + 1, w.points.data(), [&](int, int row, int n, double* buffer) -> const double* {
         if (row >= 0 && row + n <= rows_) return values + row;
         for (int k = 0; k < n; ++k) buffer[k] = values[closed_ ? wrapped(row + k) : std::clamp(row + k, 0, rows_ - 1)];
         return buffer;

@@ -28,7 +28,6 @@ public:
     FoundCoefficients found = {Eigen::MatrixXd(rows_, d_), increase};
     const SmoothingSteps block(blocks_.longest(), true);
     const bool are_finite = for_groups(block, [&](SmoothingSteps& steps, const Group& group) {
-      read_cells(steps, group, 0);
       bool result = true;
       for (int column = 0; column < d_; column += most_together)
         result = fill(steps, group, column, ends, found.coefficients) && result;
@@ -84,55 +83,55 @@ private:
     return (problem_.knots[k + 1] - problem_.knots[k]) * per_unit_;
   }
 
-  /// Widths and softness of the steps from this one of each block.
-  void read_cells(SmoothingSteps& steps, const Group& group, int from) const {
+  /// The tile of steps from this one on of each block, to place `to`: how many they are.
+  int read_tile(SmoothingSteps& steps, const Group& group, int column, int from, int to) const {
+    const int count = std::min(lane_tile, blocks_.longest() - from);
     int at[lane_count], before[lane_count], ends[lane_count];
     for (int l = 0; l < lane_count; ++l) {
       at[l] = group.starts[l] + from;
       before[l] = at[l] - 1;
       ends[l] = std::min(group.ends[l], cells_);
     }
-    gather_widths(problem_.knots.data(), per_unit_, before, ends, steps.count + 1, steps.widths,
+    gather_widths(problem_.knots.data(), per_unit_, before, ends, count + 1, steps.widths.data() + to,
                   [&](int l, int row) { return row < group.ends[l] ? width(row) : 0; });
-    if (!problem_.weights.empty()) {
-      gather_lanes(at, steps.count, steps.softness, [&](int l, int row, int n, double* buffer) {
-        const int inside = std::clamp(group.ends[l] - row, 0, n);
-        for (int k = 0; k < inside; ++k)
-          buffer[k] = std::clamp(problem_.lambda / problem_.weights[static_cast<std::size_t>(row + k)], 1e-100, 1e100);
-        std::fill(buffer + inside, buffer + n, nothing);
-        return buffer;
-      });
-      return;
-    }
-    std::fill(steps.softness.begin(), steps.softness.end(), LaneStep{Lanes{} + problem_.lambda});
-    for (int l = 0; l < lane_count; ++l)
-      for (int k = std::max(group.lengths[l] - from, 0); k < steps.count; ++k)
-        steps.softness[static_cast<std::size_t>(k)].value[l] = nothing;
-  }
-
-  void read_points(SmoothingSteps& steps, const Group& group, int from, int column) const {
-    int at[lane_count];
-    for (int l = 0; l < lane_count; ++l) at[l] = group.starts[l] + from;
+    read_softness(group, from, count, steps.softness.data() + to);
     for (int c = 0; c < together(column); ++c) {
       const double* const points = problem_.points.col(column + c).data();
-      gather_lanes(at, steps.count, steps.points[c], [&](int l, int row, int n, double* buffer) -> const double* {
+      const auto read = [&](int l, int row, int n, double* buffer) -> const double* {
         const int inside = std::clamp(group.ends[l] - row, 0, n);
         if (inside == n) return points + row;
         std::copy(points + row, points + row + inside, buffer);
         std::fill(buffer + inside, buffer + n, 0.);
         return buffer;
-      });
+      };
+      gather_lanes(at, count, steps.points[c].data() + to, read);
     }
+    return count;
   }
 
-  /// The elements of the blocks, a tile of steps after the other.
+  void read_softness(const Group& group, int from, int count, LaneStep* softness) const {
+    if (problem_.weights.empty()) {
+      std::fill(softness, softness + count, LaneStep{Lanes{} + problem_.lambda});
+      for (int l = 0; l < lane_count; ++l)
+        for (int k = std::max(group.lengths[l] - from, 0); k < count; ++k) softness[k].value[l] = nothing;
+      return;
+    }
+    int at[lane_count];
+    for (int l = 0; l < lane_count; ++l) at[l] = group.starts[l] + from;
+    gather_lanes(at, count, softness, [&](int l, int row, int n, double* buffer) {
+      const int inside = std::clamp(group.ends[l] - row, 0, n);
+      for (int k = 0; k < inside; ++k)
+        buffer[k] = std::clamp(problem_.lambda / problem_.weights[static_cast<std::size_t>(row + k)], 1e-100, 1e100);
+      std::fill(buffer + inside, buffer + n, nothing);
+      return buffer;
+    });
+  }
+
   LaneElement described(SmoothingSteps& steps, const Group& group, int column) const {
     LaneElement element;
     for (int from = 0; from < blocks_.longest(); from += lane_tile) {
-      steps.count = std::min(lane_tile, blocks_.longest() - from);
-      read_cells(steps, group, from);
-      read_points(steps, group, from, column);
-      describe(steps, together(column), element);
+      const int count = read_tile(steps, group, column, from, 0);
+      describe(steps, count, together(column), element);
     }
     return element;
   }
@@ -155,23 +154,30 @@ private:
   /// Whether the coefficients are finite.
   bool fill(SmoothingSteps& steps, const Group& group, int column, const BlockEnds& ends,
             Eigen::MatrixXd& result) const {
-    read_points(steps, group, 0, column);
-    LaneState states[most_together] = {}, costates[most_together] = {};
+    LaneFilter filter = {};
+    LaneState costates[most_together] = {};
     for (int c = 0; c < together(column); ++c)
       for (int l = 0; l < group.lanes; ++l) {
         const Eigen::Index k = (group.first + l) * d_ + column + c;
-        states[c].value[l] = ends.states(0, k);
-        states[c].slope[l] = ends.states(1, k);
+        filter.means[c].value[l] = ends.states(0, k);
+        filter.means[c].slope[l] = ends.states(1, k);
         costates[c].value[l] = ends.costates(0, k);
         costates[c].slope[l] = ends.costates(1, k);
       }
-    fill_in(steps, together(column), costates, states);
+    for (int from = 0; from < blocks_.longest(); from += lane_tile) {
+      const int count = read_tile(steps, group, column, from, from);
+      sweep_forwards(steps, from, from + count, together(column), filter);
+    }
+    Lanes values[most_together];  // at the ends, x = m + P y
+    for (int c = 0; c < together(column); ++c)
+      values[c] = filter.means[c].value + filter.p.u * costates[c].value + filter.p.v * costates[c].slope;
+    sweep_back(steps, blocks_.longest(), together(column), costates, values);
     bool are_finite = true;
     for (int c = 0; c < together(column); ++c) {
       double* const coefficients = result.col(column + c).data();
       scatter_lanes(group.starts, group.lengths, 0, steps.points[c], coefficients);
       if (!problem_.closed && group.begin() == 0) coefficients[0] = ends.states(0, column + c);
-      if (!problem_.closed && group.end() == rows_) coefficients[rows_ - 1] = states[c].value[group.lanes - 1];
+      if (!problem_.closed && group.end() == rows_) coefficients[rows_ - 1] = values[c][group.lanes - 1];
       are_finite = is_finite(coefficients + group.begin(), group.end() - group.begin()) && are_finite;
     }
     return are_finite;

@@ -6,11 +6,11 @@
 
 namespace batten {
 
-SmoothingSteps::SmoothingSteps(int steps, bool keeps) : count(steps) {
-  const auto n = static_cast<std::size_t>(steps);
+SmoothingSteps::SmoothingSteps(int count, bool has_sweep_back) {
+  const auto n = static_cast<std::size_t>(count);
   widths.resize(n + 1);
   for (LaneSteps* s : {&softness, &points[0], &points[1]}) s->resize(n);
-  if (keeps)
+  if (has_sweep_back)
     for (LaneSteps* s : {&gain, &slope_gain, &pulls[0], &pulls[1]}) s->resize(n);
 }
 
@@ -58,9 +58,9 @@ struct Gains {
 }
 
 template <int components>
-[[gnu::always_inline]] inline void describe_steps(const SmoothingSteps& steps, LaneElement& element) {
+[[gnu::always_inline]] inline void describe_steps(const SmoothingSteps& steps, int count, LaneElement& element) {
   LaneElement e = element;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(steps.count); ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
     const Lanes h = steps.widths[k + 1].value, softness = steps.softness[k].value;
     const Gains gains = gains_at(e.c, softness);
     const Lanes f = e.a[0] * gains.inverse, s = e.a[1] * gains.inverse;
@@ -76,41 +76,36 @@ template <int components>
   element = e;
 }
 
-/// The covariance at the end of the block; the means there in place of those at its begin.
 template <int components>
-[[gnu::always_inline]] inline LaneCovariance sweep_forwards(SmoothingSteps& steps, LaneState* states) {
-  LaneCovariance p{};
-  LaneState means[components];
-  for (int c = 0; c < components; ++c) means[c] = states[c];
-  for (std::size_t k = 0; k < static_cast<std::size_t>(steps.count); ++k) {
+[[gnu::always_inline]] inline void filter_steps(SmoothingSteps& steps, int begin, int end, LaneFilter& filter) {
+  LaneFilter f = filter;
+  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
     const Lanes h = steps.widths[k + 1].value, softness = steps.softness[k].value;
-    const Gains gains = gains_at(p, softness);
+    const Gains gains = gains_at(f.p, softness);
     steps.gain[k].value = gains.value;
     steps.slope_gain[k].value = gains.slope;
     for (int c = 0; c < components; ++c) {
-      const Lanes miss = steps.points[c][k].value - means[c].value;
+      const Lanes miss = steps.points[c][k].value - f.means[c].value;
       steps.pulls[c][k].value = gains.inverse * miss;
-      advance(means[c], gains, miss, h);
+      advance(f.means[c], gains, miss, h);
     }
-    advance(p, gains.inverse, softness, h);
+    advance(f.p, gains.inverse, softness, h);
   }
-  for (int c = 0; c < components; ++c) states[c] = means[c];
-  return p;
+  filter = f;
 }
 
-/// From the costates at the end, where the spline has these values.
 template <int components>
-[[gnu::always_inline]] inline void sweep_back(SmoothingSteps& steps, const LaneState* costates,
-                                              const LaneState* states) {
+[[gnu::always_inline]] inline void fill_in_steps(SmoothingSteps& steps, int count, const LaneState* costates,
+                                                 const Lanes* values) {
   LaneState y[components];
   Lanes next[components];
-  for (int c = 0; c < components; ++c) y[c] = costates[c], next[c] = states[c].value;
-  for (auto k = static_cast<std::size_t>(steps.count); k-- > 0;) {
+  for (int c = 0; c < components; ++c) y[c] = costates[c], next[c] = values[c];
+  for (auto k = static_cast<std::size_t>(count); k-- > 0;) {
     const Lanes before = steps.widths[k].value, after = steps.widths[k + 1].value, per_after = 1 / after;
     const Lanes gain = steps.gain[k].value, slope_gain = steps.slope_gain[k].value;
     for (int c = 0; c < components; ++c) {
       const Lanes bend = y[c].slope + after * y[c].value, bend_next = y[c].slope;
-      const Lanes force = gain * y[c].value + slope_gain * bend - steps.pulls[c][k].value;
+      const Lanes force = slope_gain * bend + (gain * y[c].value - steps.pulls[c][k].value);
       const Lanes value = steps.points[c][k].value + steps.softness[k].value * force;
       const Lanes slope = (next[c] - value) * per_after - after * (2 * bend + bend_next) * (third / 2);
       steps.points[c][k].value = value + slope * (after - before) * third - bend * before * after * (third / 2);
@@ -120,27 +115,27 @@ template <int components>
   }
 }
 
-template <int components>
-[[gnu::always_inline]] inline void fill_in_steps(SmoothingSteps& steps, const LaneState* costates, LaneState* states) {
-  const LaneCovariance p = sweep_forwards<components>(steps, states);
-  for (int c = 0; c < components; ++c) states[c].value += p.u * costates[c].value + p.v * costates[c].slope;
-  sweep_back<components>(steps, costates, states);
-}
-
 }  // namespace
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void describe(const SmoothingSteps& steps, int components, LaneElement& element) {
-  components == 1 ? describe_steps<1>(steps, element) : describe_steps<2>(steps, element);
+void describe(const SmoothingSteps& steps, int count, int components, LaneElement& element) {
+  components == 1 ? describe_steps<1>(steps, count, element) : describe_steps<2>(steps, count, element);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void fill_in(SmoothingSteps& steps, int components, const LaneState* costates, LaneState* states) {
-  components == 1 ? fill_in_steps<1>(steps, costates, states) : fill_in_steps<2>(steps, costates, states);
+void sweep_forwards(SmoothingSteps& steps, int begin, int end, int components, LaneFilter& filter) {
+  components == 1 ? filter_steps<1>(steps, begin, end, filter) : filter_steps<2>(steps, begin, end, filter);
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void sweep_back(SmoothingSteps& steps, int count, int components, const LaneState* costates, const Lanes* values) {
+  components == 1 ? fill_in_steps<1>(steps, count, costates, values) : fill_in_steps<2>(steps, count, costates, values);
 }
 
 }  // namespace batten

@@ -13,10 +13,9 @@ constexpr int most_together = 2;
 /// What is read of steps that follow each other, and what one sweep leaves for the next. Empty steps have width 0; what
 /// comes out at them and at the ends of an open curve is not used.
 struct SmoothingSteps {
-  /// `keeps`: with room for what the sweep back needs.
-  SmoothingSteps(int count, bool keeps);
+  /// Steps of whole blocks where the sweep back follows, of a tile otherwise.
+  SmoothingSteps(int count, bool has_sweep_back);
 
-  int count;
   LaneSteps widths;                                  // from that of the cell before the first step
   LaneSteps softness;                                // λ / w
   LaneSteps points[most_together];                   // b; replaced by coefficients
@@ -41,11 +40,20 @@ struct LaneElement {
   LaneState b[most_together], kappa[most_together];
 };
 
-/// The element of a block after more steps.
-void describe(const SmoothingSteps& steps, int components, LaneElement& element);
+/// The element after the first `count` steps, from that before them.
+void describe(const SmoothingSteps& steps, int count, int components, LaneElement& element);
 
-/// From the states at the begin of a block and the costates at its end: coefficients in place of the points, and the
-/// values at the end in place of the states.
-void fill_in(SmoothingSteps& steps, int components, const LaneState* costates, LaneState* states);
+/// Mean and covariance of the filter.
+struct LaneFilter {
+  LaneCovariance p;
+  LaneState means[most_together];
+};
+
+/// The filter after steps begin .. end - 1, from that before them.
+void sweep_forwards(SmoothingSteps& steps, int begin, int end, int components, LaneFilter& filter);
+
+/// Coefficients in place of the points of the first `count` steps, from the costates behind them, where the spline has
+/// these values.
+void sweep_back(SmoothingSteps& steps, int count, int components, const LaneState* costates, const Lanes* values);
 
 }  // namespace batten
