@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/blocks.h>
 #include <batten/domains/errors.h>
+#include <batten/fem/curve_checks.h>
 #include <batten/fem/curve_fit.h>
 #include <batten/fem/interpolation_blocks.h>
 #include <batten/fem/smoothing_blocks.h>
@@ -17,12 +19,21 @@ double largest_weight(std::span<const double> weights, Eigen::Index points) {
   if (static_cast<Eigen::Index>(weights.size()) != points)
     throw InvalidInput("smoothing_curve: one weight for each of " + std::to_string(points) +
                        " points is needed, found " + std::to_string(weights.size()));
+  double largest = 0;
+  bool are_positive = true;
+  const RowBlocks blocks(static_cast<int>(points), 1);
+#pragma omp parallel for schedule(static) reduction(max : largest) reduction(&& : are_positive) if (blocks.count() > 1)
+  for (int block = 0; block < blocks.count(); ++block) {
+    const int begin = blocks.begin(block);
+    const double found = largest_of_positive(weights.data() + begin, blocks.end(block) - begin);
+    largest = std::max(largest, found);
+    are_positive = found > 0 && are_positive;
+  }
+  if (are_positive) return largest;
   const auto is_bad = [](double w) { return !(w > 0) || !std::isfinite(w); };
   const auto bad = std::find_if(weights.begin(), weights.end(), is_bad);
-  if (bad != weights.end())
-    throw InvalidInput("smoothing_curve: weights must be positive, found " + std::to_string(*bad) + " at place " +
-                       std::to_string(bad - weights.begin()));
-  return *std::max_element(weights.begin(), weights.end());
+  throw InvalidInput("smoothing_curve: weights must be positive, found " + std::to_string(*bad) + " at place " +
+                     std::to_string(bad - weights.begin()));
 }
 
 /// Refuses what the numbers were found to be: input first, then a result that overflows.

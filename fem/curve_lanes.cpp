@@ -69,21 +69,17 @@ void gather_differences(const double* const* lines, int count, double scale, Lan
 }
 
 void scatter_lanes(const LaneStep* steps, int count, double* const* lines) {
-  for (int tile = 0; tile < count; tile += lane_tile) {
-    const int n = std::min(lane_tile, count - tile);
-    double* at[lane_count];
-    for (int l = 0; l < lane_count; ++l) at[l] = lines[l] + tile;
-    prefetch_tile(at, n);
-    for (int l = 0; l < lane_count; l += 2) {
-      const auto* const in = reinterpret_cast<const double*>(steps + tile) + l;
-      int k = 0;
-      for (; k + 1 < n; k += 2) {
-        const Square lane = exchanged(pair_at(in + lane_count * k), pair_at(in + lane_count * (k + 1)));
-        store(lane.first, at[l] + k);
-        store(lane.second, at[l + 1] + k);
-      }
-      if (k < n) at[l][k] = in[lane_count * k], at[l + 1][k] = in[lane_count * k + 1];
+  prefetch_tile(lines, count);
+  for (int l = 0; l < lane_count; l += 2) {
+    double *const a = lines[l], *const b = lines[l + 1];
+    const auto* const in = reinterpret_cast<const double*>(steps) + l;
+    int k = 0;
+    for (; k + 1 < count; k += 2) {
+      const Square lane = exchanged(pair_at(in + lane_count * k), pair_at(in + lane_count * (k + 1)));
+      store(lane.first, a + k);
+      store(lane.second, b + k);
     }
+    if (k < count) a[k] = in[lane_count * k], b[k] = in[lane_count * k + 1];
   }
 }
 

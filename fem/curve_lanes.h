@@ -43,6 +43,8 @@ private:
 
 constexpr int lane_tile = 64;  // steps of all lanes that stay in the first cache
 
+// Of up to a tile:
+
 /// steps[k] of lane l = lines[l][k], 0 <= k < count.
 void gather_lanes(const double* const* lines, int count, LaneStep* steps);
 /// steps[k] of lane l = (lines[l][k + 1] - lines[l][k]) scale, 0 <= k < count.
@@ -87,10 +89,12 @@ void gather_widths(const double* knots, double scale, const int* starts, const i
 inline void scatter_lanes(const int* starts, const int* lengths, int from, const LaneSteps& steps, double* out) {
   const int shared = *std::min_element(lengths, lengths + lane_count);
   double* lines[lane_count];
-  for (int l = 0; l < lane_count; ++l) lines[l] = out + starts[l];
-  scatter_lanes(&steps[static_cast<std::size_t>(from)], shared, lines);
+  for (int tile = 0; tile < shared; tile += lane_tile) {
+    for (int l = 0; l < lane_count; ++l) lines[l] = out + starts[l] + tile;
+    scatter_lanes(&steps[static_cast<std::size_t>(from + tile)], std::min(lane_tile, shared - tile), lines);
+  }
   for (int l = 0; l < lane_count; ++l)
-    for (int k = shared; k < lengths[l]; ++k) lines[l][k] = steps[static_cast<std::size_t>(from + k)].value[l];
+    for (int k = shared; k < lengths[l]; ++k) out[starts[l] + k] = steps[static_cast<std::size_t>(from + k)].value[l];
 }
 
 }  // namespace batten

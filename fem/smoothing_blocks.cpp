@@ -19,15 +19,17 @@ public:
   FoundCoefficients coefficients() const {
     std::vector<BlockElement> elements(static_cast<std::size_t>(blocks_.count()));
     StateColumns b(2, blocks_.count() * d_), kappa(2, blocks_.count() * d_);
-    const bool increase = for_groups(SmoothingSteps(lane_tile, false), [&](SmoothingSteps& steps, const Group& group) {
-      for (int column = 0; column < d_; column += most_together)
-        store(group, column, described(steps, group, column), elements, b, kappa);
-      return increases(problem_.knots.data() + group.begin(), std::min(group.end(), cells_) - group.begin());
-    });
+    const bool increase = for_groups([] { return SmoothingSteps(lane_tile, false); },
+                                     [&](SmoothingSteps& steps, const Group& group) {
+                                       for (int column = 0; column < d_; column += most_together)
+                                         store(group, column, described(steps, group, column), elements, b, kappa);
+                                       return increases(problem_.knots.data() + group.begin(),
+                                                        std::min(group.end(), cells_) - group.begin());
+                                     });
     const BlockEnds ends = joined_blocks(elements, b, kappa, problem_.closed);
     FoundCoefficients found = {Eigen::MatrixXd(rows_, d_), increase};
-    const SmoothingSteps block(blocks_.longest(), true);
-    const bool are_finite = for_groups(block, [&](SmoothingSteps& steps, const Group& group) {
+    const auto whole_blocks = [&] { return SmoothingSteps(blocks_.longest(), true); };
+    const bool are_finite = for_groups(whole_blocks, [&](SmoothingSteps& steps, const Group& group) {
       bool result = true;
       for (int column = 0; column < d_; column += most_together)
         result = fill(steps, group, column, ends, found.coefficients) && result;
@@ -39,7 +41,6 @@ public:
 
 private:
   static constexpr int shortest = 64, longest = 1000;
-  static constexpr double nothing = 1e100;  // softness of a point that does not count
 
   /// Blocks that are worked on together, one in each of the first `lanes` lanes.
   struct Group {
@@ -60,15 +61,15 @@ private:
     return g;
   }
 
-  /// Whether work(steps, group) of all groups.
-  template <class Work>
-  bool for_groups(const SmoothingSteps& steps, const Work& work) const {
+  /// Whether work(steps, group) of all groups, with the steps that each thread makes.
+  template <class Make, class Work>
+  bool for_groups(const Make& make, const Work& work) const {
     bool result = true;
 #pragma omp parallel if (blocks_.groups() > 1) reduction(&& : result)
     {
-      SmoothingSteps own = steps;
+      SmoothingSteps steps = make();
 #pragma omp for schedule(static)
-      for (int index = 0; index < blocks_.groups(); ++index) result = work(own, group(index)) && result;
+      for (int index = 0; index < blocks_.groups(); ++index) result = work(steps, group(index)) && result;
     }
     return result;
   }
@@ -97,34 +98,35 @@ private:
     read_softness(group, from, count, steps.softness.data() + to);
     for (int c = 0; c < together(column); ++c) {
       const double* const points = problem_.points.col(column + c).data();
-      const auto read = [&](int l, int row, int n, double* buffer) -> const double* {
-        const int inside = std::clamp(group.ends[l] - row, 0, n);
-        if (inside == n) return points + row;
-        std::copy(points + row, points + row + inside, buffer);
-        std::fill(buffer + inside, buffer + n, 0.);
-        return buffer;
-      };
-      gather_lanes(at, count, steps.points[c].data() + to, read);
+      gather_lanes(at, count, steps.points[c].data() + to, [&](int l, int row, int n, double* buffer) {
+        return padded(points, row, group.ends[l], n, buffer);
+      });
     }
     return count;
   }
 
   void read_softness(const Group& group, int from, int count, LaneStep* softness) const {
     if (problem_.weights.empty()) {
-      std::fill(softness, softness + count, LaneStep{Lanes{} + problem_.lambda});
+      fill_lanes(softness, count, problem_.lambda);
       for (int l = 0; l < lane_count; ++l)
-        for (int k = std::max(group.lengths[l] - from, 0); k < count; ++k) softness[k].value[l] = nothing;
+        for (int k = std::max(group.lengths[l] - from, 0); k < count; ++k) softness[k].value[l] = most_soft;
       return;
     }
     int at[lane_count];
     for (int l = 0; l < lane_count; ++l) at[l] = group.starts[l] + from;
     gather_lanes(at, count, softness, [&](int l, int row, int n, double* buffer) {
-      const int inside = std::clamp(group.ends[l] - row, 0, n);
-      for (int k = 0; k < inside; ++k)
-        buffer[k] = std::clamp(problem_.lambda / problem_.weights[static_cast<std::size_t>(row + k)], 1e-100, 1e100);
-      std::fill(buffer + inside, buffer + n, nothing);
-      return buffer;
+      return padded(problem_.weights.data(), row, group.ends[l], n, buffer);
     });
+    soften(softness, count, problem_.lambda);
+  }
+
+  /// numbers[row] .. numbers[end - 1], then 0.
+  static const double* padded(const double* numbers, int row, int end, int n, double* buffer) {
+    const int inside = std::clamp(end - row, 0, n);
+    if (inside == n) return numbers + row;
+    std::copy(numbers + row, numbers + row + inside, buffer);
+    std::fill(buffer + inside, buffer + n, 0.);
+    return buffer;
   }
 
   LaneElement described(SmoothingSteps& steps, const Group& group, int column) const {

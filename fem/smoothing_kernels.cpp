@@ -120,6 +120,24 @@ template <int components>
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
+void fill_lanes(LaneStep* steps, int count, double number) {
+  for (int k = 0; k < count; ++k) steps[k].value = Lanes{} + number;
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void soften(LaneStep* weights, int count, double lambda) {
+  auto* const numbers = reinterpret_cast<double*>(weights);
+  for (int k = 0; k < count * lane_count; ++k) {
+    const double softness = lambda / numbers[k], firm = softness > 1e-100 ? softness : 1e-100;
+    numbers[k] = firm < most_soft ? firm : most_soft;
+  }
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
 void describe(const SmoothingSteps& steps, int count, int components, LaneElement& element) {
   components == 1 ? describe_steps<1>(steps, count, element) : describe_steps<2>(steps, count, element);
 }

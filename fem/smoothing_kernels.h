@@ -9,6 +9,7 @@ namespace batten {
 // covariances of the filter, which are the same for all, are found anew for each pair.
 
 constexpr int most_together = 2;
+constexpr double most_soft = 1e100;  // of a point that does not count
 
 /// What is read of steps that follow each other, and what one sweep leaves for the next. Empty steps have width 0; what
 /// comes out at them and at the ends of an open curve is not used.
@@ -21,6 +22,11 @@ struct SmoothingSteps {
   LaneSteps points[most_together];                   // b; replaced by coefficients
   LaneSteps gain, slope_gain, pulls[most_together];  // P_00 / S, P_10 / S, (b - m_0) / S with S = P_00 + λ / w
 };
+
+/// The same number everywhere.
+void fill_lanes(LaneStep* steps, int count, double number);
+/// λ / w in place of weights w, but not less than 1e-100 nor more than most_soft, which is what 0 gets.
+void soften(LaneStep* weights, int count, double lambda);
 
 struct LaneState {
   Lanes value, slope;

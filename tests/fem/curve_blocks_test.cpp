@@ -98,6 +98,16 @@ TEST(InterpolatingCurve, is_exact_where_neighbouring_cells_differ_by_a_million) 
     }
 }
 
+TEST(InterpolatingCurve, does_not_depend_on_the_unit_of_its_knots) {
+  const auto knots = wild_knots(300, false);
+  const Eigen::MatrixXd points = random_points(301, 1), expected = interpolating_curve(knots, points).coefficients();
+  for (int exponent : {-300, 300}) {
+    std::vector<double> scaled = knots;
+    for (double& knot : scaled) knot = std::ldexp(knot, exponent);
+    EXPECT_TRUE(interpolating_curve(scaled, points).coefficients() == expected) << exponent;
+  }
+}
+
 TEST(InterpolatingCurve, that_is_closed_is_an_open_one_that_goes_round) {
   constexpr int n = 500;
   std::mt19937 random(33);
@@ -150,35 +160,53 @@ TEST(Curves, have_the_values_of_their_ends) {  // of an open curve the end coeff
     EXPECT_LT((near.coefficients().row(i) - points.row(i) + forces.row(i)).cwiseAbs().maxCoeff(), 100 * epsilon) << i;
 }
 
+void expect_points_are_refused(double bad, int n, double lambda, bool closed) {
+  const auto knots = whole_knots(closed ? n : n - 1);
+  for (int place : {0, 1, 2, n / 2, n - 3, n - 2, n - 1}) {
+    Eigen::MatrixXd points = random_points(n, 2);
+    points(place, 1) = bad;
+    EXPECT_THAT([&] { smoothing_curve(knots, points, {}, lambda, closed); },
+                ThrowsMessage<InvalidInput>(HasSubstr("coefficients must be finite")))
+        << n << ' ' << place << ' ' << lambda;
+  }
+}
+
 TEST(Curves, refuse_a_number_that_is_not_finite_wherever_it_is) {
   for (bool closed : {false, true})
     for (double lambda : {0., 1., 1e12})
       for (int n : {7, 300, 9000})
-        for (int place : {0, 1, 2, n / 2, n - 3, n - 2, n - 1})
-          for (double bad : {not_a_number, std::numeric_limits<double>::infinity()}) {
-            const auto knots = whole_knots(closed ? n : n - 1);
-            Eigen::MatrixXd points = random_points(n, 2);
-            points(place, 1) = bad;
-            EXPECT_THAT([&] { smoothing_curve(knots, points, {}, lambda, closed); },
-                        ThrowsMessage<InvalidInput>(HasSubstr("coefficients must be finite")))
-                << n << ' ' << place << ' ' << lambda;
-          }
+        for (double bad : {not_a_number, std::numeric_limits<double>::infinity()})
+          expect_points_are_refused(bad, n, lambda, closed);
+}
+
+void expect_knots_are_refused(int place, int n, double lambda, bool closed) {
+  auto knots = whole_knots(closed ? n : n - 1);
+  const std::string where = "at places " + std::to_string(place - 1) + " and " + std::to_string(place);
+  for (double bad : {place - 1., place - 1.5, not_a_number}) {
+    knots[static_cast<std::size_t>(place)] = bad;
+    EXPECT_THAT([&] { smoothing_curve(knots, random_points(n, 1), {}, lambda, closed); },
+                ThrowsMessage<InvalidInput>(testing::AllOf(HasSubstr("knots must increase"), HasSubstr(where))));
+  }
 }
 
 TEST(Curves, refuse_knots_that_do_not_increase_wherever_they_are) {
   for (bool closed : {false, true})
     for (double lambda : {0., 1.})
       for (int n : {7, 9000})
-        for (int place : {1, 2, n / 2, n - 2, n - 1}) {
-          auto knots = whole_knots(closed ? n : n - 1);
-          for (double bad : {place - 1., place - 1.5, not_a_number}) {
-            knots[static_cast<std::size_t>(place)] = bad;
-            const std::string where = "at places " + std::to_string(place - 1) + " and " + std::to_string(place);
-            EXPECT_THAT(
-                [&] { smoothing_curve(knots, random_points(n, 1), {}, lambda, closed); },
-                ThrowsMessage<InvalidInput>(testing::AllOf(HasSubstr("knots must increase"), HasSubstr(where))));
-          }
-        }
+        for (int place : {1, 2, n / 2, n - 2, n - 1}) expect_knots_are_refused(place, n, lambda, closed);
+}
+
+TEST(Curves, refuse_weights_that_are_not_positive_wherever_they_are) {
+  constexpr int n = 40000;
+  const Eigen::MatrixXd points = random_points(n, 1);
+  for (int place : {0, n / 2, n - 1})
+    for (double bad : {0., -1., not_a_number, std::numeric_limits<double>::infinity()}) {
+      std::vector<double> weights(n, 2);
+      weights[static_cast<std::size_t>(place)] = bad;
+      EXPECT_THAT([&] { smoothing_curve(whole_knots(n - 1), points, weights, 1); },
+                  ThrowsMessage<InvalidInput>(testing::AllOf(HasSubstr("weights must be positive"),
+                                                             HasSubstr("at place " + std::to_string(place)))));
+    }
 }
 
 TEST(Curves, refuse_results_beyond_doubles) {
