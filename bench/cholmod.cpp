@@ -5,6 +5,7 @@
 #include <batten/bench/support/supernodal_cholesky.h>
 #include <batten/bench/support/test_surface.h>
 #include <batten/bench/support/timing.h>
+#include <batten/fem/difference_form.h>
 #include <batten/fem/fit_problem.h>
 
 #include <omp.h>

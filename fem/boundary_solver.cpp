@@ -41,9 +41,9 @@ private:
     work();
     seconds_.push_back({phase, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
   }
-  Vector right_side() const;
+  Vector residual(const Vector& v);
   Vector support_targets() const;
-  Vector iterate();
+  void iterate();
   void measure(BoundaryResult& result) const;
 
   const BoundaryProblem& problem_;
@@ -63,12 +63,13 @@ double dot(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
 }
 
-/// b - A g of the splines that keep the conditions.
-Vector BoundarySolve::right_side() const {
-  const Vector ag = system_->apply_whole(lifting_.coefficients);
-  Vector b = load_;
-  for (std::size_t i = 0; i < b.size(); ++i) b[i] -= ag[i];
-  return system_->restricted(b);
+/// b - A (g + v) of the splines that keep the conditions, and the whole coefficients of g + v.
+Vector BoundarySolve::residual(const Vector& v) {
+  solution_ = system_->whole(v);
+  for (std::size_t i = 0; i < solution_.size(); ++i) solution_[i] += lifting_.coefficients[i];
+  Vector r = system_->apply_whole(solution_);
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = load_[i] - r[i];
+  return system_->restricted(r);
 }
 
 /// What the supports still ask of the homogeneous part, in the order of the system's points.
@@ -80,36 +81,35 @@ Vector BoundarySolve::support_targets() const {
   return target;
 }
 
-/// The method of multipliers: each step solves for the correction that the residual and the springs, whose forces add
-/// up, still ask for. Without supports one step suffices. Returns the homogeneous part.
-Vector BoundarySolve::iterate() {
+/// Each step solves for the correction that the residual asks for, formed anew with all its digits, and that the
+/// springs ask for, whose forces add up (the method of multipliers). Membranes without supports are done after the first.
+void BoundarySolve::iterate() {
   constexpr int most_steps = 8;
   constexpr double correction_accuracy = 1e-4;  // what the springs gain in a step
   const auto& multigrid = system_->multigrid();
   const auto& data = multigrid.data();
-  const Vector b = right_side(), target = support_targets();
-  Vector v(b.size()), av(b.size()), step(b.size()), miss = target, pull(data.size());
+  const bool one_step = data.size() == 0 && !problem_.is_plate();
+  Vector v(multigrid.size()), step(v.size()), target = support_targets(), miss = target, pull(data.size());
   force_.assign(data.size(), 0.);
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most_steps; ++k) {
-    Vector r = b;
-    for (std::size_t i = 0; i < r.size(); ++i) r[i] -= av[i];
+    Vector r = residual(v);
+    if (k > 0 && one_step) break;
     for (std::size_t i = 0; i < pull.size(); ++i) pull[i] = force_[i] + data.weights()[i] * miss[i];
     data.add_adjoint(pull, r);
+    IterationLimits limits = options_.limits;
     if (k > 0) {
       const double size = energy_size(multigrid, r);
-      if (size <= options_.limits.accuracy * std::sqrt(dot(v, av)) || size > before / 2) break;
+      iterations_.accuracy = size / std::sqrt(dot(v, system_->apply(v)));
+      if (iterations_.accuracy <= options_.limits.accuracy || size > before / 2) break;
       before = size;
+      limits.accuracy = std::max(limits.accuracy, correction_accuracy);
     }
     std::fill(step.begin(), step.end(), 0.);
-    IterationLimits limits = options_.limits;
-    if (k > 0) limits.accuracy = std::max(limits.accuracy, correction_accuracy);
     const auto found = solve(multigrid, r, step, limits);
     iterations_.iterations += found.iterations;
-    iterations_.accuracy = k == 0 ? found.accuracy : std::max(iterations_.accuracy, options_.limits.accuracy);
+    iterations_.accuracy = found.accuracy;
     for (std::size_t i = 0; i < v.size(); ++i) v[i] += step[i];
-    if (data.size() == 0) break;
-    av = system_->apply(v);
     data.values(v, miss);
     for (std::size_t i = 0; i < miss.size(); ++i) {
       miss[i] = target[i] - miss[i];
@@ -117,7 +117,6 @@ Vector BoundarySolve::iterate() {
     }
     if (options_.progress) options_.progress("solve", (k + 1.) / most_steps);
   }
-  return v;
 }
 
 /// The forces that keep the conditions of the sides: the residual A u - b of all splines is the force on each function.
@@ -160,8 +159,7 @@ BoundaryResult BoundarySolve::run() {
     system_.emplace(problem_, 0., supports_.constraints);
     lifting_ = lifting(problem_);
   });
-  timed("solve", [&] { solution_ = system_->whole(iterate()); });
-  for (std::size_t i = 0; i < solution_.size(); ++i) solution_[i] += lifting_.coefficients[i];
+  timed("solve", [&] { iterate(); });
   motions_.remove_from(solution_);
   BoundaryResult result{.solution = Solution(problem_.region, problem_.degree, solution_)};
   timed("measure", [&] { measure(result); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
 #include <batten/fem/boundary_system.h>
+#include <batten/fem/difference_form.h>
 #include <batten/fem/side_data.h>
 #include <batten/fem/varying_energy.h>
 
@@ -40,17 +41,9 @@ TensorSum restriction_of(const SplineSpace& space) {
                      subspace_restriction(space.x.size(), space.x.ends())}});
 }
 
-/// E of all splines on the problem's cells.
-Operator whole_energy(const BoundaryProblem& problem, const Field& mass) {
-  if (const auto energy = constant_energy(problem, mass))
-    return Operator(*energy, finest_space(problem.region, problem.degree));
-  return Operator(varying_energy(problem, mass));
-}
-
-Hierarchy hierarchy_of(const BoundaryProblem& problem, const Field& mass, const Operator& whole) {
+Hierarchy hierarchy_of(const BoundaryProblem& problem, const std::optional<Energy>& constant, const Operator& whole) {
   const SpaceEnds ends = side_conditions(problem);
-  if (const auto energy = constant_energy(problem, mass))
-    return Hierarchy(*energy, problem.region, problem.degree, {}, ends);
+  if (constant) return Hierarchy(*constant, problem.region, problem.degree, {}, ends);
   const auto space = finest_space(problem.region, problem.degree, {}, ends);
   return Hierarchy(whole.stencil()->galerkin(restriction_of(space)), problem.region, problem.degree, {}, ends);
 }
@@ -97,8 +90,11 @@ std::vector<double> spring_weights(const Hierarchy& hierarchy, const DataTerm& d
 }  // namespace
 
 BoundarySystem::BoundarySystem(const BoundaryProblem& problem, const Field& mass, const Constraints& constraints)
-    : whole_energy_(whole_energy(problem, mass)),
-      hierarchy_(hierarchy_of(problem, mass, whole_energy_)),
+    : whole_space_(finest_space(problem.region, problem.degree)),
+      constant_energy_(constant_energy(problem, mass)),
+      whole_energy_(constant_energy_ ? Operator(*constant_energy_, whole_space_)
+                                     : Operator(varying_energy(problem, mass))),
+      hierarchy_(hierarchy_of(problem, constant_energy_, whole_energy_)),
       points_(in_cells(constraints, problem.region)),
       order_(cell_order(points_, space())),
       multigrid_((points_ = {reordered(points_.x, order_), reordered(points_.y, order_)}, hierarchy_), points_) {
@@ -112,6 +108,7 @@ std::vector<double> BoundarySystem::apply(std::span<const double> v) const {
 }
 
 std::vector<double> BoundarySystem::apply_whole(std::span<const double> whole) const {
+  if (constant_energy_) return apply_by_differences(*constant_energy_, whole_space_, whole);
   std::vector<double> result(whole.size());
   whole_energy_.apply(whole, result);
   return result;

@@ -4,7 +4,7 @@
 #include <batten/fem/boundary_problem.h>
 #include <batten/fem/multigrid.h>
 
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,7 +35,8 @@ public:
 
   /// A v on the splines that keep the side conditions, without springs.
   std::vector<double> apply(std::span<const double> v) const;
-  /// A of all splines, without springs, for whole coefficients.
+  /// A of all splines, without springs, for whole coefficients: by differences first where coefficients are constant,
+  /// so that it keeps its digits on fine grids.
   std::vector<double> apply_whole(std::span<const double> whole) const;
   /// T^T b: a load vector of all splines, restricted to those that keep the conditions.
   std::vector<double> restricted(std::span<const double> whole) const;
@@ -43,6 +44,8 @@ public:
   std::vector<double> whole(std::span<const double> v) const;
 
 private:
+  SplineSpace whole_space_;
+  std::optional<Energy> constant_energy_;
   Operator whole_energy_;
   Hierarchy hierarchy_;
   GridPoints points_;

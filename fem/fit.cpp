@@ -2,6 +2,7 @@
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
 #include <batten/fem/cross_validation.h>
+#include <batten/fem/difference_form.h>
 #include <batten/fem/fit.h>
 #include <batten/fem/fit_problem.h>
 #include <batten/fem/near_interpolation.h>

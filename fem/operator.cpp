@@ -3,13 +3,9 @@
 #include <batten/fem/operator.h>
 
 #include <array>
-#include <cmath>
 
 namespace batten {
 namespace {
-
-/// Factor that turns ∫∫ (∂_x^a ∂_y^b p)² in cells into normalised coordinates.
-double cell_factor(const SplineSpace& s, int a, int b) { return std::pow(s.hx, 1 - 2 * a) * std::pow(s.hy, 1 - 2 * b); }
 
 /// What Gaussian curvature needs of an end: B_ij = [N_i' N_j] over the interval, in cells of the finest level, in the
 /// band of the inner products. Zero where a condition fixes the value or the derivative.
@@ -83,7 +79,7 @@ TensorSum build_products(const Energy& energy, const SplineSpace& space) {
     bool used = false;
     for (const auto& t : energy.terms()) {
       if (t.y_order != b) continue;
-      factor[static_cast<std::size_t>(t.x_order)] += t.weight * cell_factor(space, t.x_order, b);
+      factor[static_cast<std::size_t>(t.x_order)] += t.weight * space.cell_factor(t.x_order, b);
       used = true;
     }
     if (!used) continue;
@@ -92,7 +88,7 @@ TensorSum build_products(const Energy& energy, const SplineSpace& space) {
     term.y = gram_y[static_cast<std::size_t>(b)];
     if (b == 1 && energy.curvature() != 0)
       for (const bool transpose : {false, true})
-        term.x = plus(std::move(term.x), -energy.curvature() * cell_factor(space, 1, 1) / term.factor,
+        term.x = plus(std::move(term.x), -energy.curvature() * space.cell_factor(1, 1) / term.factor,
                       end_products(space.x, gram_x[1], transpose));
     terms.push_back(std::move(term));
   }
@@ -108,34 +104,12 @@ TensorSum build_end_rows(double curvature, const SplineSpace& space) {
   const BandedRows kx = space.x.inner_products(1), ky = space.y.inner_products(1);
   const BandedRows bx = end_products(space.x, kx, false), bxt = end_products(space.x, kx, true);
   const BandedRows by = end_products(space.y, ky, false), byt = end_products(space.y, ky, true);
-  const double factor = curvature * cell_factor(space, 1, 1);
+  const double factor = curvature * space.cell_factor(1, 1);
   return TensorSum({{-factor, plus(by, 1, byt), kx}, {factor, byt, bx}, {factor, by, bxt}});
 }
 
 bool has_free_end(const SplineBasis& basis) {
   return basis.ends().lower == EndCondition::Free || basis.ends().upper == EndCondition::Free;
-}
-
-BandedRows derivative_rows(const SplineBasis& basis, int order) {
-  return SplineBasis(basis.interval(), basis.degree() - order).inner_products(0);
-}
-
-std::vector<double> differentiated(std::vector<double> c, SplineBasis x, SplineBasis y, int x_order, int y_order) {
-  const auto apply = [&](const BandedRows& rows_y, const BandedRows& rows_x) {
-    const TensorSum difference({{1., rows_y, rows_x}});
-    std::vector<double> result(difference.output_size());
-    difference.apply(c, result);
-    c = std::move(result);
-  };
-  for (; x_order > 0; --x_order) {
-    apply(identity_rows(y.size()), x.differences());
-    x = SplineBasis(x.interval(), x.degree() - 1);
-  }
-  for (; y_order > 0; --y_order) {
-    apply(y.differences(), identity_rows(x.size()));
-    y = SplineBasis(y.interval(), y.degree() - 1);
-  }
-  return c;
 }
 
 }  // namespace
@@ -180,45 +154,15 @@ double Operator::entry(int i, int j, int k, int l) const {
   return sum;
 }
 
-namespace {
-
-/// The part of Gaussian curvature, which has no differences to take: it is a sum over the sides.
-double curvature_energy(double curvature, const SplineSpace& space, std::span<const double> c) {
-  if (curvature == 0) return 0;
+std::vector<double> apply_curvature(double curvature, const SplineSpace& space, std::span<const double> c) {
+  std::vector<double> result(c.size()), rows(c.size());
+  if (curvature == 0) return result;
   const BandedRows kx = space.x.inner_products(1), ky = space.y.inner_products(1);
   const auto columns = plus(end_products(space.x, kx, false), 1, end_products(space.x, kx, true));
-  const TensorSum end_columns({{-curvature * cell_factor(space, 1, 1), ky, columns}});
-  std::vector<double> product(c.size());
-  double sum = 0;
-  for (const auto& part : {end_columns, build_end_rows(curvature, space)}) {
-    part.apply(c, product);
-    for (std::size_t i = 0; i < c.size(); ++i) sum += c[i] * product[i];
-  }
-  return sum;
-}
-
-}  // namespace
-
-double evaluate_energy(const Energy& energy, const SplineSpace& space, std::span<const double> coefficients) {
-  double sum = 0;
-  for (const auto& t : energy.terms()) {
-    const auto derivative =
-        differentiated({coefficients.begin(), coefficients.end()}, space.x, space.y, t.x_order, t.y_order);
-    const TensorSum mass({{1., derivative_rows(space.y, t.y_order), derivative_rows(space.x, t.x_order)}});
-    const int n = mass.output_columns();
-    const double square = sum_blocks(RowBlocks(mass.output_rows(), n), [&](int begin, int end) {
-      std::vector<double> row(static_cast<std::size_t>(n));
-      double partial = 0;
-      for (int j = begin; j < end; ++j) {
-        mass.row(j, derivative.data(), row.data());
-        for (int i = 0; i < n; ++i)
-          partial += row[static_cast<std::size_t>(i)] * derivative[static_cast<std::size_t>(j) * n + i];
-      }
-      return partial;
-    });
-    sum += t.weight * cell_factor(space, t.x_order, t.y_order) * square;
-  }
-  return sum + curvature_energy(energy.curvature(), space, coefficients);
+  TensorSum({{-curvature * space.cell_factor(1, 1), ky, columns}}).apply(c, result);
+  build_end_rows(curvature, space).apply(c, rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) result[i] += rows[i];
+  return result;
 }
 
 }  // namespace batten

@@ -6,6 +6,7 @@
 #include <batten/fem/energy.h>
 #include <batten/fem/symmetric_stencil.h>
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,6 +17,9 @@ namespace batten {
 struct SplineSpace {
   SplineBasis x, y;
   double hx = 1, hy = 1;  ///< lengths of the finest cells in normalised coordinates
+
+  /// Factor that turns ∫∫ (∂_x^a ∂_y^b p)² in cells into normalised coordinates.
+  double cell_factor(int a, int b) const { return std::pow(hx, 1 - 2 * a) * std::pow(hy, 1 - 2 * b); }
 
   std::size_t size() const { return static_cast<std::size_t>(x.size()) * static_cast<std::size_t>(y.size()); }
 };
@@ -52,8 +56,7 @@ private:
   SymmetricStencil stencil_;
 };
 
-/// The energy of the spline with the given coefficients, by differences first: derivatives as splines of lower degree,
-/// then their positive mass matrices. Keeps its relative accuracy where c · (E c) loses it to cancellation.
-double evaluate_energy(const Energy& energy, const SplineSpace& space, std::span<const double> coefficients);
+/// The part of E c that comes from curvature ∫∫ 2 (p_xx p_yy - p_xy²): a sum over the sides.
+std::vector<double> apply_curvature(double curvature, const SplineSpace& space, std::span<const double> c);
 
 }  // namespace batten

@@ -77,6 +77,20 @@ TEST(SimplySupportedPlate, has_the_known_deflections_and_moment) {
   EXPECT_NEAR(solve_boundary_problem(problem).solution.value(0.5, 0.5), 0.0116008397722, 1e-7);
 }
 
+// 64 / π^8 Σ 1 / (m² n² (m² + n²)²) over odd m, n (Navier's series for q = D = a = 1).
+double compliance_of_simply_supported_square() {
+  double sum = 0;
+  for (int m = 1; m < 2000; m += 2)
+    for (int n = 1; n < 2000; n += 2) sum += 1 / (1. * m * m * n * n * std::pow(1. * m * m + 1. * n * n, 2));
+  return 64 / std::pow(pi, 8) * sum;
+}
+
+TEST(SimplySupportedPlate, of_a_million_unknowns_has_the_right_compliance) {
+  const auto result = solve_boundary_problem(plate(1000, 3, Side::simply_supported()));
+  EXPECT_NEAR(result.compliance / compliance_of_simply_supported_square(), 1, 1e-10);
+  EXPECT_LT(result.accuracy, 1e-10);
+}
+
 TEST(Membrane, under_uniform_load_has_the_known_centre_and_volume) {
   for (int degree : {3, 4, 5}) {
     const auto result = solve_boundary_problem(membrane(64, degree, Side::fixed()));

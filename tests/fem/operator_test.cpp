@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
+#include <batten/fem/difference_form.h>
 #include <batten/fem/hierarchy.h>
 
 #include "../support/laws.h"

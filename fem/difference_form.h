@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/fem/energy.h>
+#include <batten/fem/operator.h>
+
+#include <span>
+#include <vector>
+
+namespace batten {
+
+/// ∂_x^a ∂_y^b of a spline without conditions at its ends, as coefficients in clamped B-splines of lower degree, in
+/// cells of the finest level: (nx - a) x (ny - b) numbers. Neighbouring coefficients are subtracted before anything is
+/// multiplied, which loses nothing where they are close.
+std::vector<double> differentiated(const SplineSpace& space, std::span<const double> coefficients, int a, int b);
+
+/// E c by differences first, E c = Σ weight D^T M D c with D the derivative and M the inner products of the splines of
+/// lower degree. Where c is smooth its relative error is about ε / h^2 for a plate; that of the sums of products that
+/// Operator makes is ε / h^4. For spaces without conditions at their ends; Gaussian curvature is added as by Operator.
+std::vector<double> apply_by_differences(const Energy& energy, const SplineSpace& space,
+                                         std::span<const double> coefficients);
+
+/// The energy of the spline with the given coefficients, by differences first: derivatives as splines of lower degree,
+/// then their positive mass matrices. Keeps its relative accuracy where c · (E c) loses it to cancellation.
+double evaluate_energy(const Energy& energy, const SplineSpace& space, std::span<const double> coefficients);
+
+}  // namespace batten
