@@ -10,6 +10,7 @@
 #include <batten/domains/errors.h>
 
 #include <array>
+#include <cmath>
 
 namespace batten {
 namespace {
@@ -93,7 +94,14 @@ ModeRequest modes_of(const TomlValue& table, const FieldReader& fields) {
   static constexpr std::array known = {"count", "density"};
   const TomlEntries entries(table, known);
   ModeRequest modes;
-  if (const TomlValue* const count = entries.find("count")) modes.count = whole_number_of(*count, 1);
+  if (const TomlValue* const count = entries.find("count")) {
+    constexpr double cells_for_each = 8;  // fewer do not resolve the highest mode
+    const double most = std::floor(fields.region().x.cells() / cells_for_each * fields.region().y.cells());
+    modes.count = whole_number_of(*count, 1);
+    if (modes.count > most)
+      refuse(*count, "at most " + number_text(most, digits) +
+                         " modes are found on these cells, one for each 8, found " + std::to_string(modes.count));
+  }
   read_field(entries, "density", fields, Sign::Positive, modes.density);
   return modes;
 }

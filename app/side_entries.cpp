@@ -12,9 +12,12 @@ namespace {
 
 constexpr std::array words = {"simply-supported", "clamped", "free", "symmetry", "periodic"};
 constexpr std::array side_names = {"left", "right", "bottom", "top"};
-constexpr const char* what_a_side_is =
-    "\"simply-supported\", \"clamped\", \"free\", \"symmetry\", \"periodic\", {value = ...}, {normal = ...} or "
-    "{value = ..., normal = ...}";
+
+const char* what_a_side_is(bool is_plate) {
+  if (!is_plate) return "\"free\", \"symmetry\", \"periodic\", {value = ...} or {normal = ...}";
+  return "\"simply-supported\", \"clamped\", \"free\", \"symmetry\", \"periodic\", {value = ...}, {normal = ...} or "
+         "{value = ..., normal = ...}";
+}
 
 Side named_side(const TomlValue& entry, bool is_plate) {
   const std::string& word = entry.text;
@@ -26,7 +29,7 @@ Side named_side(const TomlValue& entry, bool is_plate) {
     return word == "clamped" ? Side::clamped() : Side::simply_supported();
   }
   refuse(entry, "unknown side \"" + word + "\"; did you mean \"" + nearest_name(word, words) + "\"? A side is " +
-                    what_a_side_is);
+                    what_a_side_is(is_plate));
 }
 
 Side prescribed_side(const TomlValue& entry, bool is_plate, const FieldReader& fields, std::span<const Place> places) {
@@ -45,7 +48,7 @@ Side prescribed_side(const TomlValue& entry, bool is_plate, const FieldReader& f
 Side side_of(const TomlValue& entry, bool is_plate, const FieldReader& fields, std::span<const Place> places) {
   if (entry.kind == TomlValue::Kind::Text) return named_side(entry, is_plate);
   if (entry.kind == TomlValue::Kind::Table) return prescribed_side(entry, is_plate, fields, places);
-  refuse(entry, std::string(what_a_side_is) + " is expected, found " + found_text(entry));
+  refuse(entry, std::string(what_a_side_is(is_plate)) + " is expected, found " + found_text(entry));
 }
 
 std::vector<Place> places_of(std::string_view side, const Rectangle& region) {
@@ -63,7 +66,7 @@ Sides sides_of(const TomlValue& table, bool is_plate, const FieldReader& fields)
   const TomlEntries entries(table, side_names);
   std::array<Side, side_names.size()> sides;
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    const TomlValue& entry = entries.require(side_names[s], what_a_side_is);
+    const TomlValue& entry = entries.require(side_names[s], what_a_side_is(is_plate));
     sides[s] = side_of(entry, is_plate, fields, places_of(side_names[s], fields.region()));
   }
   for (std::size_t s = 0; s < sides.size(); ++s) {

@@ -338,6 +338,7 @@ TEST(ProblemFile, refuses_bad_tables) {
 TEST(ProblemFile, refuses_bad_modes_times_and_accuracies) {
   EXPECT_THAT(plate_refusal("[modes]\ncount = 0\n"),
               HasSubstr("modes.count: a whole number of at least 1 is expected, found 0"));
+  EXPECT_THAT(plate_refusal("[modes]\ncount = 17\n"), HasSubstr("at most 16 modes are found on these cells"));
   EXPECT_THAT(plate_refusal("[modes]\ndensity = 0\n"), HasSubstr("modes.density: must be positive, found 0"));
   EXPECT_THAT(plate_refusal("[time]\nend = 1\n"),
               HasSubstr("time: the key 'step' is missing; a time step is expected"));
