@@ -2,12 +2,12 @@
 #include <batten/app/bounded_subdivision.h>
 #include <batten/app/fit_arguments.h>
 #include <batten/app/grid_output.h>
-#include <batten/app/number_text.h>
 #include <batten/app/output_names.h>
 #include <batten/app/progress.h>
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/usage_error.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/corner_samples.h>
 #include <batten/fem/padded_scheme.h>
 #include <batten/fem/variational_scheme.h>

@@ -2,12 +2,12 @@
 #include <batten/app/curve_input.h>
 #include <batten/app/curve_pictures.h>
 #include <batten/app/curve_subdivision.h>
-#include <batten/app/number_text.h>
 #include <batten/app/output_names.h>
 #include <batten/app/progress.h>
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/usage_error.h>
 #include <batten/bases/subdivide.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/curve_fit.h>
 #include <batten/io/curve_file.h>
 #include <batten/io/table.h>

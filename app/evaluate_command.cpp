@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/evaluate_command.h>
 #include <batten/app/fit_help.h>
-#include <batten/app/number_text.h>
 #include <batten/app/output_names.h>
 #include <batten/app/point_columns.h>
 #include <batten/app/progress.h>
 #include <batten/app/thread_count.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/solution.h>
 #include <batten/io/image_file.h>
 #include <batten/io/table.h>

@@ -2,9 +2,9 @@
 #include <batten/app/expression_entry.h>
 #include <batten/app/field_entry.h>
 #include <batten/app/field_table.h>
-#include <batten/app/number_text.h>
 #include <batten/app/toml_entries.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/field_table.h>
-#include <batten/app/number_text.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/grid_choice.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/fit.h>
 #include <batten/io/table.h>
 

@@ -5,11 +5,11 @@
 #include <batten/app/fit_outputs.h>
 #include <batten/app/fit_report.h>
 #include <batten/app/mask.h>
-#include <batten/app/number_text.h>
 #include <batten/app/progress.h>
 #include <batten/app/stopwatch.h>
 #include <batten/app/thread_count.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/fit.h>
 
 #include <CLI/CLI.hpp>

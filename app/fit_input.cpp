@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/fit_input.h>
 #include <batten/app/memory_estimate.h>
-#include <batten/app/number_text.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/grid_choice.h>
+#include <batten/domains/number_text.h>
 #include <batten/io/table.h>
 
 #include <algorithm>

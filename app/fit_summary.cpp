@@ -2,7 +2,7 @@
 #include <batten/app/fit_outputs.h>
 #include <batten/app/fit_report.h>
 #include <batten/app/grid_text.h>
-#include <batten/app/number_text.h>
+#include <batten/domains/number_text.h>
 
 namespace batten {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/grid_output.h>
 #include <batten/app/grid_subdivision.h>
-#include <batten/app/number_text.h>
 #include <batten/app/output_names.h>
 #include <batten/app/progress.h>
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/usage_error.h>
 #include <batten/bases/subdivide.h>
+#include <batten/domains/number_text.h>
 #include <batten/io/matrix_file.h>
 
 #include <iostream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/grid_text.h>
-#include <batten/app/number_text.h>
+#include <batten/domains/number_text.h>
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/load_entries.h>
-#include <batten/app/number_text.h>
 #include <batten/app/toml_entries.h>
+#include <batten/domains/number_text.h>
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/mask.h>
-#include <batten/app/number_text.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/nearest_point.h>
+#include <batten/domains/number_text.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/memory_estimate.h>
-#include <batten/app/number_text.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 
 #include <sys/resource.h>
 

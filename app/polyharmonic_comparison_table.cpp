@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/chart_sheet.h>
-#include <batten/app/number_text.h>
 #include <batten/app/polyharmonic_pictures.h>
 #include <batten/bases/polyharmonic_comparison.h>
+#include <batten/domains/number_text.h>
 #include <batten/io/chart.h>
 #include <batten/io/table.h>
 

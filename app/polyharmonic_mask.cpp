@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <batten/app/number_text.h>
 #include <batten/app/polyharmonic_mask.h>
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/usage_error.h>
@@ -8,6 +7,7 @@
 #include <batten/bases/optimal_mask.h>
 #include <batten/bases/polyharmonic_scheme.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,11 @@
 #include <batten/app/load_entries.h>
 #include <batten/app/memory_estimate.h>
 #include <batten/app/nearest_name.h>
-#include <batten/app/number_text.h>
 #include <batten/app/problem_file.h>
 #include <batten/app/side_entries.h>
 #include <batten/app/toml_entries.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <batten/app/number_text.h>
 #include <batten/app/scheme_account.h>
+#include <batten/domains/number_text.h>
 
 #include <nlohmann/json.hpp>
 

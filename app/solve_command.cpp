@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <batten/app/number_text.h>
 #include <batten/app/problem_templates.h>
 #include <batten/app/progress.h>
 #include <batten/app/solve_command.h>
@@ -7,6 +6,7 @@
 #include <batten/app/stopwatch.h>
 #include <batten/app/thread_count.h>
 #include <batten/app/usage_error.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/plate_forces.h>
 #include <batten/fem/time_stepping.h>
 #include <batten/fem/vibration.h>

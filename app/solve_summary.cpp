@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/fit_report.h>
 #include <batten/app/grid_text.h>
-#include <batten/app/number_text.h>
 #include <batten/app/solve_account.h>
+#include <batten/domains/number_text.h>
 
 #include <algorithm>
 #include <array>

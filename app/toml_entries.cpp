@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/expression_entry.h>
 #include <batten/app/nearest_name.h>
-#include <batten/app/number_text.h>
 #include <batten/app/toml_entries.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <batten/app/number_text.h>
 #include <batten/app/toml_tree.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 #include <batten/io/number_reader.h>
 #include <batten/io/text_source.h>
 

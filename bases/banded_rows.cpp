@@ -34,6 +34,10 @@ BandedRows transposed(const BandedRows& matrix) {
       first[j] = std::min(first[j], i);
       last[j] = std::max(last[j], i);
     }
+  for (std::size_t j = first.size() - 1; j-- > 0;)  // empty columns go with their neighbours
+    if (last[j] < 0) first[j] = first[j + 1];
+  for (std::size_t j = 1; j < first.size(); ++j)
+    if (last[j] < 0 && first[j] == matrix.rows) first[j] = first[j - 1];
   BandedRows result;
   result.rows = matrix.columns;
   result.columns = matrix.rows;

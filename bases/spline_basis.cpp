@@ -96,11 +96,18 @@ BandedRows lengthened(BandedRows brief, int rows, int columns, int period, int s
 
 }  // namespace
 
-SplineBasis::SplineBasis(const Interval& interval, int degree)
-    : interval_(interval), degree_(degree), stored_pieces_(short_cells(interval.cells(), degree)) {
+SplineBasis::SplineBasis(const Interval& interval, int degree, const EndConditions& ends)
+    : interval_(interval), degree_(degree), ends_(ends), stored_pieces_(short_cells(interval.cells(), degree)) {
   if (degree < 0 || degree > max_degree)
     throw InvalidInput("SplineBasis: expected a degree from 0 to " + std::to_string(max_degree) + ", found " +
                        std::to_string(degree));
+  const auto has_slope = [](EndCondition c) { return c == EndCondition::Flat || c == EndCondition::Clamped; };
+  if (degree < 2 && (has_slope(ends.lower) || has_slope(ends.upper)))
+    throw InvalidInput("SplineBasis: expected degree >= 2 for a prescribed derivative, found degree " +
+                       std::to_string(degree));
+  if (ends.removed() >= size())
+    throw InvalidInput("SplineBasis: expected more cells: the conditions at the ends take away " +
+                       std::to_string(ends.removed()) + " of " + std::to_string(size()) + " functions");
   const auto n = static_cast<std::size_t>(degree) + 1;
   for (const auto& piece : spline_pieces(short_breakpoints(interval, degree), degree))
     for (std::size_t order = 0; order < n; ++order)
@@ -159,11 +166,29 @@ SplineBasis::Local SplineBasis::at(double t, int order) const {
       evaluate_piece<6>(c, u, local.values.data());
       break;
   }
+  if (!ends_.are_free()) constrain(local);
   return local;
 }
 
-BandedRows SplineBasis::inner_products(int r) const {
-  const auto products = exact_inner_products(short_breakpoints(interval_, degree_), degree_, r, r);
+void SplineBasis::constrain(Local& local) const {
+  const int last = size() - 1 - local.first;
+  if (ends_.lower == EndCondition::Flat && local.first == 0) local.values[1] += local.values[0];
+  if (ends_.upper == EndCondition::Flat && last == degree_)
+    local.values[static_cast<std::size_t>(degree_) - 1] += local.values[static_cast<std::size_t>(degree_)];
+  for (int a = 0; a <= degree_; ++a)
+    if (is_removed(local.first + a)) local.values[static_cast<std::size_t>(a)] = 0;
+}
+
+void SplineBasis::to_unconstrained(double* c, std::ptrdiff_t stride) const {
+  const std::ptrdiff_t last = size() - 1;
+  for (int i = 0; i < EndConditions::removed_at(ends_.lower); ++i) c[i * stride] = 0;
+  for (int i = 0; i < EndConditions::removed_at(ends_.upper); ++i) c[(last - i) * stride] = 0;
+  if (ends_.lower == EndCondition::Flat) c[0] = c[stride];
+  if (ends_.upper == EndCondition::Flat) c[last * stride] = c[(last - 1) * stride];
+}
+
+BandedRows SplineBasis::inner_products(int r, int s) const {
+  const auto products = exact_inner_products(short_breakpoints(interval_, degree_), degree_, r, s);
   const int n = static_cast<int>(products.size());
   ExactRows exact{n, {}, {}};
   for (int i = 0; i < n; ++i) {
@@ -172,12 +197,13 @@ BandedRows SplineBasis::inner_products(int r) const {
     exact.first.push_back(from);
     exact.entries.emplace_back(row.begin() + (from - i + degree_), row.begin() + (to - i + degree_ + 1));
   }
-  return lengthened(to_doubles(exact), size(), size(), 1, 1);
+  const auto whole = lengthened(to_doubles(exact), size(), size(), 1, 1);
+  return ends_.are_free() ? whole : with_constrained_rows(with_constrained_columns(whole, ends_), ends_);
 }
 
 BandedRows SplineBasis::refinement(const SplineBasis& finer) const {
-  if (finer.degree_ != degree_ || finer.interval_.cells() / 2 != interval_.cells())
-    throw InvalidInput("SplineBasis::refinement: expected the next finer basis of the same degree");
+  if (finer.degree_ != degree_ || finer.interval_.cells() / 2 != interval_.cells() || finer.ends_ != ends_)
+    throw InvalidInput("SplineBasis::refinement: expected the next finer basis of the same degree and ends");
   const int fine_cells = std::min(finer.interval_.cells(), 2 * (3 * degree_ + 4) + (finer.interval_.cells() & 1));
   const auto all = finer.interval_.breakpoints();
   std::vector<int> fine(all.begin(), all.begin() + fine_cells + 1), coarse;
@@ -190,7 +216,8 @@ BandedRows SplineBasis::refinement(const SplineBasis& finer) const {
     exact.first.push_back(column.first);
     exact.entries.push_back(column.weights);
   }
-  return transposed(lengthened(to_doubles(exact), size(), finer.size(), 1, 2));
+  const auto whole = transposed(lengthened(to_doubles(exact), size(), finer.size(), 1, 2));
+  return ends_.are_free() ? whole : without_removed_rows(with_constrained_columns(whole, ends_), ends_);
 }
 
 namespace {
@@ -234,7 +261,8 @@ BandedRows SplineBasis::samples(int r) const {
     exact.entries.push_back(jumps ? mean_of_limits(row, end_derivatives(pieces[i], r, false)) : std::move(row));
   }
   trim(exact);
-  return lengthened(to_doubles(exact), interval_.cells() + 1, size(), 1, 1);
+  const auto whole = lengthened(to_doubles(exact), interval_.cells() + 1, size(), 1, 1);
+  return ends_.are_free() ? whole : with_constrained_columns(whole, ends_);
 }
 
 BandedRows SplineBasis::differences() const {
@@ -247,7 +275,8 @@ BandedRows SplineBasis::differences() const {
     exact.first.push_back(i);
     exact.entries.push_back({-slope, slope});
   }
-  return lengthened(to_doubles(exact), size() - 1, size(), 1, 1);
+  const auto whole = lengthened(to_doubles(exact), size() - 1, size(), 1, 1);
+  return ends_.are_free() ? whole : with_constrained_columns(whole, ends_);
 }
 
 }  // namespace batten

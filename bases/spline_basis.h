@@ -2,9 +2,11 @@
 #pragma once
 
 #include <batten/bases/banded_rows.h>
+#include <batten/bases/spline_ends.h>
 #include <batten/domains/interval.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace batten {
@@ -24,18 +26,26 @@ public:
     std::array<double, max_degree + 1> values{};
   };
 
-  /// Throws InvalidInput unless 0 <= degree <= max_degree.
-  SplineBasis(const Interval& interval, int degree);
+  /// Throws InvalidInput unless 0 <= degree <= max_degree, and unless conditions on derivatives have degree >= 2 and
+  /// leave a function.
+  SplineBasis(const Interval& interval, int degree, const EndConditions& ends = {});
 
   const Interval& interval() const { return interval_; }
   int degree() const { return degree_; }
+  const EndConditions& ends() const { return ends_; }
+  /// True if the conditions at the ends take function i away.
+  bool is_removed(int i) const {
+    return i < EndConditions::removed_at(ends_.lower) || size() - 1 - i < EndConditions::removed_at(ends_.upper);
+  }
   int size() const { return interval_.cells() + degree_; }
 
   /// Derivative of the given order (0: the value) of the functions of the cell that holds t, with respect to t.
   Local at(double t, int order = 0) const;
 
   /// ∫ N_i^(r) N_j^(r) dt, symmetric, size() x size(): derived in rationals and converted once.
-  BandedRows inner_products(int r) const;
+  BandedRows inner_products(int r) const { return inner_products(r, r); }
+  /// ∫ N_i^(r) N_j^(s) dt, rows i.
+  BandedRows inner_products(int r, int s) const;
   /// R with N_j = Σ_i R_ij N̂_i, N̂ the basis of `finer`: finer.size() x size(). Its interior rows are the B-spline
   /// subdivision rules.
   BandedRows refinement(const SplineBasis& finer) const;
@@ -44,13 +54,19 @@ public:
   /// Coefficients of the derivative with respect to t, in the basis of degree - 1: (size() - 1) x size().
   BandedRows differences() const;
   /// The basis of the next coarser level.
-  SplineBasis coarser() const { return {interval_.coarser(), degree_}; }
+  SplineBasis coarser() const { return {interval_.coarser(), degree_, ends_}; }
+  /// All splines of this degree: no conditions at the ends.
+  SplineBasis unconstrained() const { return {interval_, degree_}; }
+  /// Turns coefficients of this basis into those of unconstrained() in place; consecutive ones are `stride` apart.
+  void to_unconstrained(double* coefficients, std::ptrdiff_t stride) const;
 
 private:
   int piece_of(int cell) const;
+  void constrain(Local& local) const;
 
   Interval interval_;
   int degree_;
+  EndConditions ends_;
   int stored_pieces_;  // cells of a short interval with the same ends; its cell `degree` stands for all inner ones
   std::vector<double> pieces_;  // [stored cell][order of derivative][power of u][function]
 };

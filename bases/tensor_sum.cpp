@@ -95,6 +95,10 @@ template <int terms>
       return combine_rows<terms, 6>(task.y_weights.data(), in, stride, n, task.buffer.data());
     case 7:
       return combine_rows<terms, 7>(task.y_weights.data(), in, stride, n, task.buffer.data());
+    case 9:
+      return combine_rows<terms, 9>(task.y_weights.data(), in, stride, n, task.buffer.data());
+    case 11:
+      return combine_rows<terms, 11>(task.y_weights.data(), in, stride, n, task.buffer.data());
     default:
       break;
   }
@@ -132,6 +136,12 @@ template <int terms, int period, int shift>
       return true;
     case 7:
       repeat_rows<terms, 7, period, shift>(f, w, in, n, out);
+      return true;
+    case 9:
+      repeat_rows<terms, 9, period, shift>(f, w, in, n, out);
+      return true;
+    case 11:
+      repeat_rows<terms, 11, period, shift>(f, w, in, n, out);
       return true;
     default:
       return false;

@@ -52,7 +52,7 @@ void add_all(Case& few, Case& many, double bandwidth) {
   const auto& level = problem.hierarchy().finest();
   const double n = 8. * static_cast<double>(few.in.size()), coarse = 8. * static_cast<double>(few.coarse.size());
   const double points = static_cast<double>(problem.size()) * (sizeof(PointRow) + 8.);
-  add("energy_product", 2 * n, bandwidth, [&] { level.energy.products().apply(few.in, few.out); });
+  add("energy_product", 2 * n, bandwidth, [&] { level.energy.apply(few.in, few.out); });
   add("refinement", n + coarse, bandwidth, [&] { level.refinement->apply(few.coarse, few.out); });
   add("restriction", n + coarse, bandwidth, [&] { level.restriction->apply(few.in, few.coarse); });
   add("data_product/points:100000", 3 * n + points, bandwidth,

@@ -4,6 +4,8 @@
 #include <batten/fem/data_term.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <tuple>
 
 namespace batten {
 namespace {
@@ -14,6 +16,24 @@ RowBlocks cell_row_blocks(const SplineSpace& space) {
 }
 
 }  // namespace
+
+// A counting sort by row, then by column within rows.
+std::vector<std::size_t> cell_order(const GridPoints& p, const SplineSpace& space) {
+  std::vector<std::uint64_t> cell(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i)
+    cell[i] = static_cast<std::uint64_t>(space.y.interval().cell_of(p.y[i])) << 32 |
+              static_cast<std::uint64_t>(space.x.interval().cell_of(p.x[i]));
+  std::vector<std::size_t> start(static_cast<std::size_t>(space.y.interval().cells()) + 1, 0), order(p.size());
+  for (auto c : cell) ++start[(c >> 32) + 1];
+  for (std::size_t r = 1; r < start.size(); ++r) start[r] += start[r - 1];
+  auto next = start;
+  for (std::size_t i = 0; i < p.size(); ++i) order[next[cell[i] >> 32]++] = i;
+  for (std::size_t r = 0; r + 1 < start.size(); ++r)
+    std::sort(order.begin() + static_cast<std::ptrdiff_t>(start[r]),
+              order.begin() + static_cast<std::ptrdiff_t>(start[r + 1]),
+              [&](std::size_t a, std::size_t b) { return std::tie(cell[a], a) < std::tie(cell[b], b); });
+  return order;
+}
 
 DataTerm::DataTerm(const SplineSpace& space, const GridPoints& points, bool stored)
     : space_(space), points_(&points), stored_(stored || points.size() > space.size()) {
@@ -33,8 +53,8 @@ PointRow DataTerm::row(std::size_t point) const {
   if (!rows_.empty()) return rows_[point];
   const auto x = space_.x.at(points_->x[point]), y = space_.y.at(points_->y[point]);
   PointRow result{x.first, y.first, {}, {}};
-  std::copy_n(x.values.begin(), 4, result.x.begin());
-  std::copy_n(y.values.begin(), 4, result.y.begin());
+  result.x = x.values;
+  result.y = y.values;
   return result;
 }
 
@@ -53,7 +73,7 @@ void DataTerm::for_rows(int begin, int end, Work&& work) const {
 }
 
 void DataTerm::set_weights(std::span<const double> weights) {
-  if (std::equal(weights.begin(), weights.end(), weights_.begin(), weights_.end())) return;
+  if (revision_ > 0 && std::equal(weights.begin(), weights.end(), weights_.begin(), weights_.end())) return;
   weights_.assign(weights.begin(), weights.end());
   ++revision_;
   finer_revision_ = 0;
@@ -84,7 +104,8 @@ void DataTerm::accumulate_cell_row(int cell_row) {
 
   for (std::size_t cell = 0; cell + 1 < start.size(); ++cell) {
     if (start[cell] == start[cell + 1]) continue;
-    CellSum sum{};
+    CellSum sum;
+    std::fill_n(sum.begin(), n * n * n * n, 0.);
     for (std::size_t k = start[cell]; k < start[cell + 1]; ++k) {
       const PointRow point = row(order[k]);
       add_to_cell_sum(static_cast<int>(n), {&point, 1}, {&weights_[order[k]], 1}, sum);

@@ -16,6 +16,9 @@ struct GridPoints {
   std::size_t size() const { return x.size(); }
 };
 
+/// The indices of points in the order that GridPoints asks for, by cell row, cell column and index.
+std::vector<std::size_t> cell_order(const GridPoints& points, const SplineSpace& space);
+
 /// The data part Σ_i w_i b_i b_i^T of a least-squares fit on one level; b_i holds the values of the basis functions at
 /// point i.
 ///

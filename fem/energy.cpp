@@ -32,6 +32,42 @@ Energy Energy::sum_of(std::vector<Term> terms) {
   return Energy(std::move(terms));
 }
 
+namespace {
+
+void expect_finite(const char* function, const char* rule, bool holds, double found) {
+  if (!holds || !std::isfinite(found))
+    throw InvalidInput(std::string(function) + ": expected " + rule + ", found " + std::to_string(found));
+}
+
+}  // namespace
+
+Energy Energy::conduction(double k, double c) {
+  expect_finite("Energy::conduction", "k > 0", k > 0, k);
+  expect_finite("Energy::conduction", "c >= 0", c >= 0, c);
+  std::vector<Term> terms = {{k, 1, 0}, {k, 0, 1}};
+  if (c > 0) terms.push_back({c, 0, 0});
+  return Energy(std::move(terms));
+}
+
+Energy Energy::plate(const Plate& p) {
+  expect_finite("Energy::plate", "a rigidity > 0", p.rigidity > 0, p.rigidity);
+  expect_finite("Energy::plate", "-1 < Poisson's ratio <= 0.5", p.poisson_ratio > -1 && p.poisson_ratio <= 0.5,
+                p.poisson_ratio);
+  expect_finite("Energy::plate", "a tension >= 0", p.tension >= 0, p.tension);
+  expect_finite("Energy::plate", "a foundation >= 0", p.foundation >= 0, p.foundation);
+  std::vector<Term> terms = {{p.rigidity, 2, 0}, {2 * p.rigidity, 1, 1}, {p.rigidity, 0, 2}};
+  if (p.tension > 0) terms.insert(terms.end(), {{p.tension, 1, 0}, {p.tension, 0, 1}});
+  if (p.foundation > 0) terms.push_back({p.foundation, 0, 0});
+  return Energy(std::move(terms), p.poisson_ratio * p.rigidity);
+}
+
+Energy Energy::scaled(double length) const {
+  Energy result = *this;
+  for (auto& t : result.terms_) t.weight *= std::pow(length, 2 - 2 * (t.x_order + t.y_order));
+  result.curvature_ *= std::pow(length, -2);
+  return result;
+}
+
 int Energy::order() const {
   int order = 0;
   for (const auto& t : terms_) order = std::max(order, t.x_order + t.y_order);
@@ -39,9 +75,9 @@ int Energy::order() const {
 }
 
 int Energy::null_degree() const {
-  const bool has_gradient =
-      std::any_of(terms_.begin(), terms_.end(), [](const Term& t) { return t.x_order + t.y_order == 1; });
-  return has_gradient ? 0 : 1;
+  int least = 2;
+  for (const auto& t : terms_) least = std::min(least, t.x_order + t.y_order);
+  return least - 1;
 }
 
 }  // namespace batten

@@ -5,8 +5,12 @@
 
 namespace batten {
 
-/// A quadratic energy of a function p on the plane, Σ_t weight_t ∫∫ (∂_x^{a_t} ∂_y^{b_t} p)^2, in normalised
-/// coordinates.
+/// A quadratic energy of a function p on the plane,
+///
+///   Σ_t weight_t ∫∫ (∂_x^{a_t} ∂_y^{b_t} p)²  +  curvature ∫∫ 2 (p_xx p_yy - p_xy²),
+///
+/// in normalised coordinates. The second integral, the Gaussian curvature of flat plates, depends on the sides only and
+/// is what Poisson's ratio contributes to a plate.
 ///
 ///   thin plate  p_xx² + 2 p_xy² + p_yy²   null space: linear functions
 ///   membrane    p_x² + p_y²               null space: constants
@@ -25,17 +29,29 @@ public:
   /// Any other such sum. Throws InvalidInput unless there is a term, weights are finite and positive, orders are from 0
   /// to 2 and not both 0 (the mass is no energy: it has no null space).
   static Energy sum_of(std::vector<Term> terms);
+  /// k (p_x² + p_y²) + c p². Throws InvalidInput unless k > 0 and c >= 0, both finite.
+  static Energy conduction(double k, double c);
+  /// D (p_xx² + 2 ν p_xx p_yy + p_yy² + 2 (1 - ν) p_xy²) + T (p_x² + p_y²) + c p², the Kirchhoff plate. Throws
+  /// InvalidInput unless D > 0, -1 < ν <= 0.5, T >= 0 and c >= 0, all finite.
+  struct Plate {
+    double rigidity = 1, poisson_ratio = 0.3, tension = 0, foundation = 0;
+  };
+  static Energy plate(const Plate& plate);
+  /// The same energy for coordinates that are divided by `length`.
+  Energy scaled(double length) const;
 
   const std::vector<Term>& terms() const { return terms_; }
+  double curvature() const { return curvature_; }
   /// Highest order of the derivatives that occur.
   int order() const;
-  /// Degree of the polynomials without energy: 1 (constant and linear functions) or 0 (constants). A sum without mixed
-  /// derivative has x y besides: SplineLevel::null_monomials knows all.
+  /// Degree of the polynomials without energy: 1 (constant and linear functions), 0 (constants) or -1 (none). A sum
+  /// without mixed derivative has x y besides: SplineLevel::null_monomials knows all.
   int null_degree() const;
 
 private:
-  explicit Energy(std::vector<Term> terms) : terms_(std::move(terms)) {}
+  explicit Energy(std::vector<Term> terms, double curvature = 0) : terms_(std::move(terms)), curvature_(curvature) {}
   std::vector<Term> terms_;
+  double curvature_ = 0;
 };
 
 }  // namespace batten

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/cross_validation.h>
 #include <batten/fem/fit.h>
 #include <batten/fem/fit_problem.h>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
 #include <utility>
 
 namespace batten {
@@ -29,19 +29,12 @@ auto timed(std::vector<PhaseTime>& seconds, const std::string& phase, Work&& wor
   return work();
 }
 
-std::string text(double v) {
-  std::ostringstream stream;
-  stream.precision(6);
-  stream << v;
-  return stream.str();
-}
-
 Smoothing checked(const FitOptions& options) {
   const Smoothing s = options.smoothing;
   if (s.kind == Smoothing::Kind::Fixed && !(s.value >= 0 && std::isfinite(s.value)))
-    throw InvalidInput("fit_surface: expected a smoothing that is not negative, found " + text(s.value));
+    throw InvalidInput("fit_surface: expected a smoothing that is not negative, found " + number_text(s.value, 6));
   if (s.kind == Smoothing::Kind::Tolerance && !(s.value > 0 && std::isfinite(s.value)))
-    throw InvalidInput("fit_surface: expected a positive tolerance, found " + text(s.value));
+    throw InvalidInput("fit_surface: expected a positive tolerance, found " + number_text(s.value, 6));
   const Smoothing result = s.kind == Smoothing::Kind::Fixed && s.value == 0 ? Smoothing::none() : s;
   if (options.standard_error && result.kind != Smoothing::Kind::Automatic && result.kind != Smoothing::Kind::Fixed)
     throw InvalidInput("fit_surface: a standard error needs smoothing (automatic or lambda > 0), found interpolation");
@@ -59,7 +52,7 @@ void check_tolerance(const Observations& o, double unit) {
                        " observations, found " + std::to_string(o.tolerance.size()));
   for (std::size_t i = 0; i < o.tolerance.size(); ++i)
     if (!(o.tolerance[i] > 0 && std::isfinite(o.tolerance[i])))
-      throw InvalidInput("fit_surface: expected positive tolerances, found " + text(o.tolerance[i]) +
+      throw InvalidInput("fit_surface: expected positive tolerances, found " + number_text(o.tolerance[i], 6) +
                          " at observation " + std::to_string(i + 1));
   const auto top = [&](std::size_t i) { return o.value[i] + tolerance_of(o, i, unit); };
   const auto bottom = [&](std::size_t i) { return o.value[i] - tolerance_of(o, i, unit); };
@@ -72,9 +65,9 @@ void check_tolerance(const Observations& o, double unit) {
     if (bottom(i) > bottom(high)) high = i;
     if (bottom(high) > top(low))
       throw InvalidInput("fit_surface: expected values at one place within their tolerances of each other, found " +
-                         text(o.value[low]) + " (observation " + std::to_string(low + 1) + ") and " +
-                         text(o.value[high]) + " (observation " + std::to_string(high + 1) + ") at (" + text(o.x[i]) +
-                         ", " + text(o.y[i]) + ")");
+                         number_text(o.value[low], 6) + " (observation " + std::to_string(low + 1) + ") and " +
+                         number_text(o.value[high], 6) + " (observation " + std::to_string(high + 1) + ") at (" +
+                         number_text(o.x[i], 6) + ", " + number_text(o.y[i], 6) + ")");
   }
 }
 
@@ -98,8 +91,8 @@ ScaledFit solve_automatic(FitProblem& problem, const FitData& data, const FitOpt
   result.search_iterations = static_cast<int>(std::ceil(found.work));
   result.refinement_iterations = static_cast<int>(std::ceil(found.refinement_work));
   if (!found.interior)
-    result.notes.push_back("cross-validation: no interior minimum, lambda is the lower end " + text(found.lambda) +
-                           " of its range (the data look exact)");
+    result.notes.push_back("cross-validation: no interior minimum, lambda is the lower end " +
+                           number_text(found.lambda, 6) + " of its range (the data look exact)");
   return timed(result.seconds, "solve",
                [&] { return solve_fixed(problem, found.lambda, options, std::move(found.start)); });
 }

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/fit_problem.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <tuple>
 
 namespace batten {
 namespace {
-
-std::string text(double v) {
-  std::ostringstream stream;
-  stream.precision(10);
-  stream << v;
-  return stream.str();
-}
 
 void check(const Observations& o) {
   if (o.y.size() != o.size() || o.value.size() != o.size() || (!o.weight.empty() && o.weight.size() != o.size()))
@@ -27,10 +20,11 @@ void check(const Observations& o) {
                        std::to_string(o.value.size()) + " and " + std::to_string(o.weight.size()));
   for (std::size_t i = 0; i < o.size(); ++i) {
     if (!std::isfinite(o.x[i]) || !std::isfinite(o.y[i]) || !std::isfinite(o.value[i]))
-      throw InvalidInput("fit_surface: expected finite numbers, found (" + text(o.x[i]) + ", " + text(o.y[i]) +
-                         ") with value " + text(o.value[i]) + " at observation " + std::to_string(i + 1));
+      throw InvalidInput("fit_surface: expected finite numbers, found (" + number_text(o.x[i], 10) + ", " +
+                         number_text(o.y[i], 10) + ") with value " + number_text(o.value[i], 10) + " at observation " +
+                         std::to_string(i + 1));
     if (!o.weight.empty() && !(o.weight[i] >= 0 && std::isfinite(o.weight[i])))
-      throw InvalidInput("fit_surface: expected weights that are not negative, found " + text(o.weight[i]) +
+      throw InvalidInput("fit_surface: expected weights that are not negative, found " + number_text(o.weight[i], 10) +
                          " at observation " + std::to_string(i + 1));
   }
   if (!o.weight.empty() && std::all_of(o.weight.begin(), o.weight.end(), [](double w) { return w == 0; }))
@@ -77,8 +71,9 @@ std::size_t merge(FitData& d) {
 void check_determined(const FitData& d, const Energy& energy, const Rectangle& region, std::size_t observations) {
   if (d.size() == 0)
     throw InvalidInput("fit_surface: expected at least one point inside the region, found none of " +
-                       std::to_string(observations) + " in x from " + text(region.x.lower()) + " to " +
-                       text(region.x.upper()) + ", y from " + text(region.y.lower()) + " to " + text(region.y.upper()));
+                       std::to_string(observations) + " in x from " + number_text(region.x.lower(), 10) + " to " +
+                       number_text(region.x.upper(), 10) + ", y from " + number_text(region.y.lower(), 10) + " to " +
+                       number_text(region.y.upper(), 10));
   if (energy.null_degree() == 0) return;
   // In units of the region's sides, so that the answer does not depend on the units of x and y.
   std::vector<double> s(d.size()), t(d.size());
@@ -136,25 +131,6 @@ PreparedData prepare(const Observations& o, const Rectangle& region, const Energ
 
 namespace {
 
-/// Order of the points by cell row, cell column and index: a counting sort by row, then by column within rows.
-std::vector<std::size_t> cell_order(const GridPoints& p, const Hierarchy& hierarchy) {
-  const auto& space = hierarchy.finest().space;
-  std::vector<std::uint64_t> cell(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i)
-    cell[i] = static_cast<std::uint64_t>(space.y.interval().cell_of(p.y[i])) << 32 |
-              static_cast<std::uint64_t>(space.x.interval().cell_of(p.x[i]));
-  std::vector<std::size_t> start(static_cast<std::size_t>(space.y.interval().cells()) + 1, 0), order(p.size());
-  for (auto c : cell) ++start[(c >> 32) + 1];
-  for (std::size_t r = 1; r < start.size(); ++r) start[r] += start[r - 1];
-  auto next = start;
-  for (std::size_t i = 0; i < p.size(); ++i) order[next[cell[i] >> 32]++] = i;
-  for (std::size_t r = 0; r + 1 < start.size(); ++r)
-    std::sort(order.begin() + static_cast<std::ptrdiff_t>(start[r]),
-              order.begin() + static_cast<std::ptrdiff_t>(start[r + 1]),
-              [&](std::size_t a, std::size_t b) { return std::tie(cell[a], a) < std::tie(cell[b], b); });
-  return order;
-}
-
 GridPoints to_cells(const FitData& d, const Hierarchy& hierarchy) {
   GridPoints points;
   const auto& space = hierarchy.finest().space;
@@ -176,10 +152,20 @@ std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::si
 
 }  // namespace
 
+namespace {
+
+int checked_degree(int degree) {
+  if (degree < 2 || degree > 3)
+    throw InvalidInput("fit_surface: expected degree 2 or 3, found " + std::to_string(degree));
+  return degree;
+}
+
+}  // namespace
+
 FitProblem::FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options)
-    : hierarchy_(options.energy, region, options.degree, {options.aspect}),
+    : hierarchy_(options.energy, region, checked_degree(options.degree), {options.aspect}),
       points_(to_cells(data, hierarchy_)),
-      order_(cell_order(points_, hierarchy_)),
+      order_(cell_order(points_, hierarchy_.finest().space)),
       system_((points_ = {reordered(points_.x, order_), reordered(points_.y, order_)}, hierarchy_), points_) {
   value_ = reordered(data.value, order_);
   weight_ = reordered(data.weight, order_);

@@ -15,12 +15,17 @@ struct Normalisation {
   double aspect = 1;  ///< one unit of y counts as this many units of x
 };
 
+/// The conditions that all splines of a space keep on the sides of the rectangle.
+struct SpaceEnds {
+  EndConditions x, y;  ///< left and right, bottom and top
+};
+
 /// The levels of a spline space on a rectangle and of an energy on it, the finest first.
 ///
 /// The spaces are nested: refinement R_k (B-spline subdivision with exact rules at the boundary) maps the coefficients
-/// of level k + 1 to those of level k, and E_{k+1} = R_k^T E_k R_k holds to rounding because both are exact. A
-/// direction is halved while its cells are not much longer than those of the other one, so that cells grow towards
-/// squares.
+/// of level k + 1 to those of level k, and E_{k+1} = R_k^T E_k R_k: to rounding where the coefficients of the energy
+/// are constant, because both are exact, and by definition where they vary. A direction is halved while its cells are
+/// not much longer than those of the other one, so that cells grow towards squares.
 class Hierarchy {
 public:
   struct Level {
@@ -31,10 +36,15 @@ public:
     std::optional<TensorSum> restriction;  ///< R^T
   };
 
-  /// Degree 2 or 3, at least 2 cells each way; InvalidInput otherwise.
-  Hierarchy(const Energy& energy, const Rectangle& region, int degree, const Normalisation& normalisation = {});
+  /// Degree 1 to 5 and at least the order of every derivative, at least 2 cells each way; InvalidInput otherwise.
+  Hierarchy(const Energy& energy, const Rectangle& region, int degree, const Normalisation& normalisation = {},
+            const SpaceEnds& ends = {});
+  /// Varying coefficients: E on the finest level is given, as a matrix on finest_space(...) of the same arguments.
+  Hierarchy(SymmetricStencil energy, const Rectangle& region, int degree, const Normalisation& normalisation = {},
+            const SpaceEnds& ends = {});
 
-  const Energy& energy() const { return energy_; }
+  /// Of constant coefficients only.
+  const Energy& energy() const { return energy_.value(); }
   const Rectangle& region() const { return region_; }
   int degree() const { return levels_.front().space.x.degree(); }
   int size() const { return static_cast<int>(levels_.size()); }
@@ -42,9 +52,15 @@ public:
   const Level& finest() const { return levels_.front(); }
 
 private:
-  Energy energy_;
+  void build(SplineSpace space, Operator finest);
+
+  std::optional<Energy> energy_;
   Rectangle region_;
   std::vector<Level> levels_;
 };
+
+/// The spline space of a hierarchy's finest level. Throws InvalidInput as Hierarchy does.
+SplineSpace finest_space(const Rectangle& region, int degree, const Normalisation& normalisation = {},
+                         const SpaceEnds& ends = {});
 
 }  // namespace batten

@@ -70,15 +70,17 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
 
 void Multigrid::factor_coarsest() {
   const auto& level = levels_.back();
-  const int d = hierarchy_->degree(), nx = level.level().space.x.size(), ny = level.level().space.y.size();
+  const auto& space = level.level().space;
+  const int d = hierarchy_->degree(), nx = space.x.size(), ny = space.y.size();
   std::vector<Eigen::Triplet<double>> entries;
   double largest = 0;
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i)
       for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
         for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
-          const double value = level.lambda() * level.level().energy.entry(i, j, i + dx, j + dy) +
-                               level.data().stencil().entry(i, j, dx, dy);
+          double value = level.lambda() * level.level().energy.entry(i, j, i + dx, j + dy) +
+                         level.data().stencil().entry(i, j, dx, dy);
+          if (dx == 0 && dy == 0 && (space.x.is_removed(i) || space.y.is_removed(j))) value = 1;
           largest = std::max(largest, value);
           entries.emplace_back((j + dy) * nx + i + dx, j * nx + i, value);
         }

@@ -105,7 +105,7 @@ private:
     system.set(interpolation_lambda, weight);
     auto b = problem_.right_side(weight, target);
     std::vector<double> energy(b.size()), s(b.size());
-    problem_.hierarchy().finest().energy.products().apply(fit.coefficients, energy);
+    problem_.hierarchy().finest().energy.apply(fit.coefficients, energy);
     for (std::size_t i = 0; i < b.size(); ++i) b[i] -= interpolation_lambda * energy[i];
     const auto result = solve(system, b, s, options_.limits);
     fit.iterations += result.iterations;

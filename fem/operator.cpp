@@ -11,8 +11,45 @@ namespace {
 /// Factor that turns ∫∫ (∂_x^a ∂_y^b p)² in cells into normalised coordinates.
 double cell_factor(const SplineSpace& s, int a, int b) { return std::pow(s.hx, 1 - 2 * a) * std::pow(s.hy, 1 - 2 * b); }
 
+/// What Gaussian curvature needs of an end: B_ij = [N_i' N_j] over the interval, in cells of the finest level, in the
+/// band of the inner products. Zero where a condition fixes the value or the derivative.
+BandedRows end_products(const SplineBasis& basis, BandedRows band, bool transpose) {
+  band.scale = 1;
+  std::fill(band.weights.begin(), band.weights.end(), 0.);
+  const int d = basis.degree(), n = basis.size();
+  for (const bool upper : {false, true}) {
+    const double t = upper ? basis.interval().finest_cells() : 0, sign = upper ? 1 : -1;
+    const auto slope = basis.at(t, 1), value = basis.at(t);
+    for (int a = upper ? d - 1 : 0; a <= (upper ? d : 1); ++a) {
+      const int b = upper ? d : 0;
+      const int i = slope.first + (transpose ? b : a), j = slope.first + (transpose ? a : b);
+      band.weights[static_cast<std::size_t>(i * band.width + j - band.first[static_cast<std::size_t>(i)])] +=
+          sign * slope.values[static_cast<std::size_t>(a)] * value.values[static_cast<std::size_t>(b)];
+    }
+  }
+  band.begin = band.end = n / 2;
+  return band;
+}
+
+/// a + factor b, both with the same band.
+BandedRows plus(BandedRows a, double factor, const BandedRows& b) {
+  for (std::size_t k = 0; k < a.weights.size(); ++k)
+    a.weights[k] = a.scale * a.weights[k] + factor * b.scale * b.weights[k];
+  a.scale = 1;
+  find_repeating_rows(a);
+  return a;
+}
+
+using Grams = std::array<BandedRows, 3>;
+
+Grams inner_products(const SplineBasis& basis) {
+  Grams grams;
+  for (int r = 0; r < 3; ++r) grams[static_cast<std::size_t>(r)] = basis.inner_products(std::min(r, basis.degree()));
+  return grams;
+}
+
 /// Σ_r factor[r] gram_r with the scales multiplied in; a single term keeps its integers.
-BandedRows mixture(const std::array<BandedRows, 3>& gram, const std::array<double, 3>& factor, double& outer) {
+BandedRows mixture(const Grams& gram, const std::array<double, 3>& factor, double& outer) {
   int used = 0, last = 0;
   for (int r = 0; r < 3; ++r)
     if (factor[static_cast<std::size_t>(r)] != 0) {
@@ -39,12 +76,7 @@ BandedRows mixture(const std::array<BandedRows, 3>& gram, const std::array<doubl
 
 /// One Kronecker term for each order of the derivative in y; the orders in x that go with it are mixed into one band.
 TensorSum build_products(const Energy& energy, const SplineSpace& space) {
-  std::array<BandedRows, 3> gram_x, gram_y;
-  for (int r = 0; r < 3; ++r) {
-    const auto k = static_cast<std::size_t>(r);
-    gram_x[k] = space.x.inner_products(std::min(r, space.x.degree()));
-    gram_y[k] = space.y.inner_products(std::min(r, space.y.degree()));
-  }
+  const Grams gram_x = inner_products(space.x), gram_y = inner_products(space.y);
   std::vector<TensorSum::Term> terms;
   for (int b = 0; b < 3; ++b) {
     std::array<double, 3> factor{};
@@ -58,9 +90,30 @@ TensorSum build_products(const Energy& energy, const SplineSpace& space) {
     TensorSum::Term term;
     term.x = mixture(gram_x, factor, term.factor);
     term.y = gram_y[static_cast<std::size_t>(b)];
+    if (b == 1 && energy.curvature() != 0)
+      for (const bool transpose : {false, true})
+        term.x = plus(std::move(term.x), -energy.curvature() * cell_factor(space, 1, 1) / term.factor,
+                      end_products(space.x, gram_x[1], transpose));
     terms.push_back(std::move(term));
   }
   return TensorSum(std::move(terms));
+}
+
+/// With A_ij = ∫ N_i'' N_j = B - K, K_ij = ∫ N_i' N_j', twice the Gaussian curvature p_xx p_yy - p_xy² is
+///
+///   A_x ⊗ A_y^T + A_x^T ⊗ A_y - 2 K_x ⊗ K_y = B_x ⊗ B_y^T + B_x^T ⊗ B_y - K_x ⊗ (B_y + B_y^T) - (B_x + B_x^T) ⊗ K_y
+///
+/// The last product is part of build_products; the others act on the two first and last rows.
+TensorSum build_end_rows(double curvature, const SplineSpace& space) {
+  const BandedRows kx = space.x.inner_products(1), ky = space.y.inner_products(1);
+  const BandedRows bx = end_products(space.x, kx, false), bxt = end_products(space.x, kx, true);
+  const BandedRows by = end_products(space.y, ky, false), byt = end_products(space.y, ky, true);
+  const double factor = curvature * cell_factor(space, 1, 1);
+  return TensorSum({{-factor, plus(by, 1, byt), kx}, {factor, byt, bx}, {factor, by, bxt}});
+}
+
+bool has_free_end(const SplineBasis& basis) {
+  return basis.ends().lower == EndCondition::Free || basis.ends().upper == EndCondition::Free;
 }
 
 BandedRows derivative_rows(const SplineBasis& basis, int order) {
@@ -87,23 +140,64 @@ std::vector<double> differentiated(std::vector<double> c, SplineBasis x, SplineB
 
 }  // namespace
 
-Operator::Operator(const Energy& energy, const SplineSpace& space) : products_(build_products(energy, space)) {}
+Operator::Operator(const Energy& energy, const SplineSpace& space) : products_(build_products(energy, space)) {
+  if (energy.curvature() != 0 && has_free_end(space.y)) end_rows_ = build_end_rows(energy.curvature(), space);
+}
+
+void Operator::row(int j, std::span<const double> c, double* out) const {
+  if (!products_) {
+    std::fill_n(out, columns(), 0.);
+    return stencil_.add_row(j, 1, c, out);
+  }
+  products_->row(j, c.data(), out);
+  if (!end_rows_ || std::min(j, rows() - 1 - j) > 1) return;
+  std::vector<double> more(static_cast<std::size_t>(columns()));
+  end_rows_->row(j, c.data(), more.data());
+  for (std::size_t i = 0; i < more.size(); ++i) out[i] += more[i];
+}
+
+void Operator::apply(std::span<const double> c, std::span<double> out) const {
+  for_blocks(RowBlocks(rows(), columns()), [&](int begin, int end) {
+    for (int j = begin; j < end; ++j) row(j, c, out.data() + static_cast<std::ptrdiff_t>(j) * columns());
+  });
+}
 
 std::vector<double> Operator::diagonal() const {
-  const int nx = products_.output_columns(), ny = products_.output_rows();
-  std::vector<double> result(products_.output_size());
-  for (const auto& term : products_.terms())
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i)
-        result[static_cast<std::size_t>(j) * nx + i] += term.factor * term.y(j, j) * term.x(i, i);
+  std::vector<double> result(size());
+  for_blocks(RowBlocks(rows(), columns()), [&](int begin, int end) {
+    for (int j = begin; j < end; ++j)
+      for (int i = 0; i < columns(); ++i) result[static_cast<std::size_t>(j) * columns() + i] = entry(i, j, i, j);
+  });
   return result;
 }
 
 double Operator::entry(int i, int j, int k, int l) const {
+  if (!products_) return l >= j ? stencil_.entry(i, j, k - i, l - j) : stencil_.entry(k, l, i - k, j - l);
   double sum = 0;
-  for (const auto& term : products_.terms()) sum += term.factor * (term.y(j, l) * term.x(i, k));
+  for (const auto* products : {&products_, &end_rows_})
+    if (*products)
+      for (const auto& term : (*products)->terms()) sum += term.factor * (term.y(j, l) * term.x(i, k));
   return sum;
 }
+
+namespace {
+
+/// The part of Gaussian curvature, which has no differences to take: it is a sum over the sides.
+double curvature_energy(double curvature, const SplineSpace& space, std::span<const double> c) {
+  if (curvature == 0) return 0;
+  const BandedRows kx = space.x.inner_products(1), ky = space.y.inner_products(1);
+  const auto columns = plus(end_products(space.x, kx, false), 1, end_products(space.x, kx, true));
+  const TensorSum end_columns({{-curvature * cell_factor(space, 1, 1), ky, columns}});
+  std::vector<double> product(c.size());
+  double sum = 0;
+  for (const auto& part : {end_columns, build_end_rows(curvature, space)}) {
+    part.apply(c, product);
+    for (std::size_t i = 0; i < c.size(); ++i) sum += c[i] * product[i];
+  }
+  return sum;
+}
+
+}  // namespace
 
 double evaluate_energy(const Energy& energy, const SplineSpace& space, std::span<const double> coefficients) {
   double sum = 0;
@@ -124,7 +218,7 @@ double evaluate_energy(const Energy& energy, const SplineSpace& space, std::span
     });
     sum += t.weight * cell_factor(space, t.x_order, t.y_order) * square;
   }
-  return sum;
+  return sum + curvature_energy(energy.curvature(), space, coefficients);
 }
 
 }  // namespace batten

@@ -4,7 +4,9 @@
 #include <batten/bases/spline_basis.h>
 #include <batten/bases/tensor_sum.h>
 #include <batten/fem/energy.h>
+#include <batten/fem/symmetric_stencil.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,22 +20,36 @@ struct SplineSpace {
   std::size_t size() const { return static_cast<std::size_t>(x.size()) * static_cast<std::size_t>(y.size()); }
 };
 
-/// E of an energy on a spline space: c · (E c) is the energy of the spline with coefficients c.
+/// E of an energy on a spline space: c · (E c) is the energy of the spline with coefficients c. Symmetric positive
+/// semidefinite.
 ///
-/// Built from exact one-dimensional inner products, E = Σ weight ∫∫ (...) ⊗ (...), symmetric positive semidefinite,
-/// applied as a sum of Kronecker products; no matrix is stored [Warren & Weimer 2001, sec. 6.1].
+/// Of an energy with constant coefficients it is built from exact one-dimensional inner products, E = Σ weight ∫∫ (...)
+/// ⊗ (...), and applied as a sum of Kronecker products; no matrix is stored [Warren & Weimer 2001, sec. 6.1]. Varying
+/// coefficients are kept as a symmetric stencil.
 class Operator {
 public:
   Operator(const Energy& energy, const SplineSpace& space);
+  explicit Operator(SymmetricStencil stencil) : stencil_(std::move(stencil)) {}
 
-  const TensorSum& products() const { return products_; }
+  int rows() const { return products_ ? products_->output_rows() : stencil_.rows(); }
+  int columns() const { return products_ ? products_->output_columns() : stencil_.columns(); }
+  std::size_t size() const { return static_cast<std::size_t>(rows()) * static_cast<std::size_t>(columns()); }
+
+  /// Row j of E c: writes columns() numbers to `out`. One thread.
+  void row(int j, std::span<const double> c, double* out) const;
+  /// out = E c; all threads, the same bits for every thread count.
+  void apply(std::span<const double> c, std::span<double> out) const;
   /// Diagonal entries E_ii.
   std::vector<double> diagonal() const;
   /// Entry of coefficients (i, j) and (k, l).
   double entry(int i, int j, int k, int l) const;
+  /// Set where coefficients vary.
+  const SymmetricStencil* stencil() const { return products_ ? nullptr : &stencil_; }
 
 private:
-  TensorSum products_;
+  std::optional<TensorSum> products_;
+  std::optional<TensorSum> end_rows_;  // what Gaussian curvature adds to the first and last rows
+  SymmetricStencil stencil_;
 };
 
 /// The energy of the spline with the given coefficients, by differences first: derivatives as splines of lower degree,

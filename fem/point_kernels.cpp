@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 namespace batten {
 namespace {
@@ -10,7 +12,8 @@ namespace {
 /// Four doubles in one register (or two).
 using Four [[gnu::vector_size(32)]] = double;
 
-/// functions == 4 moves whole registers; functions == 3 may not touch the coefficient after the last one.
+/// Up to four functions fill one register; four are moved whole, fewer may not touch the coefficient after the last
+/// one.
 template <int functions>
 [[gnu::always_inline]] inline Four load(const double* p) {
   Four v{};
@@ -26,30 +29,42 @@ template <int functions>
 template <int functions>
 [[gnu::always_inline]] inline double value(const PointRow& row, std::ptrdiff_t stride, const double* c) {
   c += row.first_y * stride + row.first_x;
-  Four sum = row.y[0] * load<functions>(c);
-  for (int b = 1; b < functions; ++b) sum += row.y[static_cast<std::size_t>(b)] * load<functions>(c + b * stride);
-  sum *= load<4>(row.x.data());
-  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  if constexpr (functions <= 4) {
+    Four sum = row.y[0] * load<functions>(c);
+    for (int b = 1; b < functions; ++b) sum += row.y[static_cast<std::size_t>(b)] * load<functions>(c + b * stride);
+    sum *= load<4>(row.x.data());
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  } else {
+    double sum = 0;
+    for (int b = 0; b < functions; ++b) {
+      double line = 0;
+      for (int a = 0; a < functions; ++a) line += row.x[static_cast<std::size_t>(a)] * c[b * stride + a];
+      sum += row.y[static_cast<std::size_t>(b)] * line;
+    }
+    return sum;
+  }
 }
 
+/// c += v x for one row of coefficients.
 template <int functions>
-[[gnu::always_inline]] inline void add(const PointRow& row, std::ptrdiff_t stride, double v, double* c) {
-  c += row.first_y * stride + row.first_x;
-  const Four x = v * load<4>(row.x.data());
-  for (int b = 0; b < functions; ++b, c += stride)
-    store<functions>(c, load<functions>(c) + row.y[static_cast<std::size_t>(b)] * x);
+[[gnu::always_inline]] inline void add_line(double v, const double* x, double* c) {
+  if constexpr (functions <= 4)
+    store<functions>(c, load<functions>(c) + v * load<4>(x));
+  else
+    for (int a = 0; a < functions; ++a) c[a] += v * x[a];
 }
 
 template <int functions>
 [[gnu::always_inline]] inline void add_within(const PointRow& row, std::ptrdiff_t stride, double v, double* c,
                                               RowRange rows) {
-  if (row.first_y >= rows.begin && row.first_y + functions <= rows.end) return add<functions>(row, stride, v, c);
-  const Four x = v * load<4>(row.x.data());
   const int from = std::max(rows.begin - row.first_y, 0), to = std::min(rows.end - row.first_y, functions);
-  for (int b = from; b < to; ++b) {
-    double* at = c + (row.first_y + b) * stride + row.first_x;
-    store<functions>(at, load<functions>(at) + row.y[static_cast<std::size_t>(b)] * x);
-  }
+  c += row.first_y * stride + row.first_x;
+  if (from == 0 && to == functions)
+    for (int b = 0; b < functions; ++b)
+      add_line<functions>(v * row.y[static_cast<std::size_t>(b)], row.x.data(), c + b * stride);
+  else
+    for (int b = from; b < to; ++b)
+      add_line<functions>(v * row.y[static_cast<std::size_t>(b)], row.x.data(), c + b * stride);
 }
 
 template <std::size_t n>
@@ -65,26 +80,43 @@ template <std::size_t n>
     }
 }
 
+/// Calls work with the number of functions as a constant.
+template <typename Work>
+[[gnu::always_inline]] inline void dispatch(int functions, Work&& work) {
+  switch (functions) {
+    case 2:
+      return work(std::integral_constant<int, 2>());
+    case 3:
+      return work(std::integral_constant<int, 3>());
+    case 4:
+      return work(std::integral_constant<int, 4>());
+    case 5:
+      return work(std::integral_constant<int, 5>());
+    default:
+      return work(std::integral_constant<int, 6>());
+  }
+}
+
+constexpr RowRange all_rows = {0, std::numeric_limits<int>::max()};
+
 }  // namespace
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #endif
 void point_values(const PointGrid& grid, std::span<const PointRow> rows, const double* c, double* out) {
-  if (grid.functions == 4)
-    for (std::size_t i = 0; i < rows.size(); ++i) out[i] = value<4>(rows[i], grid.stride, c);
-  else
-    for (std::size_t i = 0; i < rows.size(); ++i) out[i] = value<3>(rows[i], grid.stride, c);
+  dispatch(grid.functions, [&](auto functions) [[gnu::always_inline]] {
+    for (std::size_t i = 0; i < rows.size(); ++i) out[i] = value<functions>(rows[i], grid.stride, c);
+  });
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #endif
 void add_point_values(const PointGrid& grid, std::span<const PointRow> rows, const double* v, double* c) {
-  if (grid.functions == 4)
-    for (std::size_t i = 0; i < rows.size(); ++i) add<4>(rows[i], grid.stride, v[i], c);
-  else
-    for (std::size_t i = 0; i < rows.size(); ++i) add<3>(rows[i], grid.stride, v[i], c);
+  dispatch(grid.functions, [&](auto functions) [[gnu::always_inline]] {
+    for (std::size_t i = 0; i < rows.size(); ++i) add_within<functions>(rows[i], grid.stride, v[i], c, all_rows);
+  });
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -92,22 +124,20 @@ void add_point_values(const PointGrid& grid, std::span<const PointRow> rows, con
 #endif
 void add_point_products(const PointGrid& grid, std::span<const PointRow> rows, const double* w, double factor,
                         const double* c, double* out, RowRange within) {
-  if (grid.functions == 4)
+  dispatch(grid.functions, [&](auto functions) [[gnu::always_inline]] {
     for (std::size_t i = 0; i < rows.size(); ++i)
-      add_within<4>(rows[i], grid.stride, factor * w[i] * value<4>(rows[i], grid.stride, c), out, within);
-  else
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      add_within<3>(rows[i], grid.stride, factor * w[i] * value<3>(rows[i], grid.stride, c), out, within);
+      add_within<functions>(rows[i], grid.stride, factor * w[i] * value<functions>(rows[i], grid.stride, c), out,
+                            within);
+  });
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
 void add_to_cell_sum(int functions, std::span<const PointRow> rows, std::span<const double> w, CellSum& sum) {
-  if (functions == 4)
-    for (std::size_t i = 0; i < rows.size(); ++i) add_products<4>(rows[i], w[i], sum.data());
-  else
-    for (std::size_t i = 0; i < rows.size(); ++i) add_products<3>(rows[i], w[i], sum.data());
+  dispatch(functions, [&](auto n) [[gnu::always_inline]] {
+    for (std::size_t i = 0; i < rows.size(); ++i) add_products<n>(rows[i], w[i], sum.data());
+  });
 }
 
 }  // namespace batten

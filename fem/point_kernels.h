@@ -9,16 +9,16 @@
 
 namespace batten {
 
-/// Values at one point of the degree + 1 functions in x and in y that live in its cell; the fourth is 0 for degree 2.
+/// Values at one point of the degree + 1 functions in x and in y that live in its cell; the rest is 0.
 struct PointRow {
   int first_x = 0, first_y = 0;
-  std::array<double, 4> x{}, y{};
+  std::array<double, 6> x{}, y{};
 };
 
 /// Where a grid of coefficients lies in memory and how many functions meet at a point.
 struct PointGrid {
   std::ptrdiff_t stride = 0;  ///< coefficients in a row
-  int functions = 4;          ///< degree + 1 in each direction, 3 or 4
+  int functions = 4;          ///< degree + 1 in each direction, 2 to 6
 };
 
 /// out[i] = Σ_j b_i[j] c_j for the given rows.
@@ -29,8 +29,9 @@ void add_point_values(const PointGrid& grid, std::span<const PointRow> rows, con
 void add_point_products(const PointGrid& grid, std::span<const PointRow> rows, const double* w, double factor,
                         const double* c, double* out, RowRange within);
 
-/// Sum of the products of one cell's points: entry [b][f][a][e] is Σ_i w_i y_b y_f x_a x_e, for b <= f.
-using CellSum = std::array<double, 256>;
+/// Sum of the products of one cell's points: entry [b][f][a][e] is Σ_i w_i y_b y_f x_a x_e, for b <= f; functions^4
+/// entries are used.
+using CellSum = std::array<double, 1296>;
 void add_to_cell_sum(int functions, std::span<const PointRow> rows, std::span<const double> w, CellSum& sum);
 
 }  // namespace batten

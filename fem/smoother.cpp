@@ -8,6 +8,9 @@
 namespace batten {
 namespace {
 
+/// Functions that a condition takes away have the diagonal entry 0 and stay at 0.
+double inverse_or_zero(double diagonal) { return diagonal > 0 ? 1 / diagonal : 0; }
+
 /// r = b, z = x = gain D^-1 b
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
@@ -77,13 +80,13 @@ void Smoother::set_diagonal(Kind kind) {
   else if (kind == Kind::Plain)
     data_.add_adjoint(data_.weights(), inverse_diagonal_);
   for (std::size_t i = 0; i < size(); ++i)
-    inverse_diagonal_[i] = 1 / (inverse_diagonal_[i] + lambda_ * level_->bound * energy_diagonal_[i]);
+    inverse_diagonal_[i] = inverse_or_zero(inverse_diagonal_[i] + lambda_ * level_->bound * energy_diagonal_[i]);
 }
 
 std::vector<double> Smoother::compliance() const {
   std::vector<double> ones(data_.size(), 1.), sum(size()), result(data_.size());
   data_.add_adjoint(ones, sum);
-  for (std::size_t i = 0; i < size(); ++i) sum[i] /= lambda_ * level_->bound * energy_diagonal_[i];
+  for (std::size_t i = 0; i < size(); ++i) sum[i] *= inverse_or_zero(lambda_ * level_->bound * energy_diagonal_[i]);
   data_.values(sum, result);
   return result;
 }
@@ -136,7 +139,8 @@ void Smoother::factor_grid() {
       for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
         for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
           const int index = (j + dy) * nx + i + dx;
-          const double diagonal = dx == 0 && dy == 0 ? 1 / inverse_diagonal_[static_cast<std::size_t>(index)] : 0;
+          const double inverse = inverse_diagonal_[static_cast<std::size_t>(index)];
+          const double diagonal = dx != 0 || dy != 0 ? 0 : inverse > 0 ? 1 / inverse : 1;
           indices.push_back(index);
           values.push_back(diagonal + data_.stencil().entry(i, j, dx, dy));
         }
@@ -146,13 +150,13 @@ void Smoother::factor_grid() {
 }
 
 double Smoother::apply(std::span<const double> c, std::span<double> out) const {
-  const auto& products = level_->energy.products();
-  const std::ptrdiff_t n = products.output_columns();
-  Wavefront(products.output_rows(), 2, level_->space.y.degree()).run([&](int stage, int j, RowRange range) {
+  const auto& energy = level_->energy;
+  const std::ptrdiff_t n = energy.columns();
+  Wavefront(energy.rows(), 2, level_->space.y.degree()).run([&](int stage, int j, RowRange range) {
     const double* in = c.data() + j * n;
     double* row = out.data() + j * n;
     if (stage == 0) {
-      products.row(j, c.data(), row);
+      energy.row(j, c, row);
       for (std::ptrdiff_t i = 0; i < n; ++i) row[i] *= lambda_;
       return;
     }
@@ -196,10 +200,9 @@ std::vector<Smoother::Step> Smoother::chebyshev_steps(int degree) const {
 
 void Smoother::advance_row(const Step& step, const std::vector<double>& z, std::vector<double>& next, int j,
                            RowRange range, Work& work) const {
-  const auto& products = level_->energy.products();
-  const std::ptrdiff_t n = products.output_columns(), at = j * n;
+  const std::ptrdiff_t n = level_->energy.columns(), at = j * n;
   data_.add_normal_row(j, range, -1, z, work.r);
-  products.row(j, z.data(), next.data() + at);
+  level_->energy.row(j, z, next.data() + at);
   const RowUpdate update{lambda_, step.keep, is_data_aware() ? 0 : step.gain, step.old};
   update_row(update, inverse_diagonal_.data() + at, z.data() + at, next.data() + at, work.r.data() + at,
              work.x.data() + at, n);

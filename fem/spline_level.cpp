@@ -21,6 +21,9 @@ Eigen::SparseMatrix<double> assembled(int rows, int columns, const Triplets& ent
 }
 
 std::vector<Energy::Term> terms_that_count(const VariationalDomain& domain) {
+  if (domain.energy.curvature() != 0)
+    throw InvalidInput("SplineLevel: expected an energy without Gaussian curvature, found the weight " +
+                       std::to_string(domain.energy.curvature()));
   std::vector<Energy::Term> terms;
   std::array<bool, 2> pure = {false, !domain.y};
   for (const auto& t : domain.energy.terms()) {

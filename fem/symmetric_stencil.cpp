@@ -33,6 +33,8 @@ template <int width>
 #endif
 void add_terms(int width, RowTerms terms, double factor, double* out, std::ptrdiff_t begin, std::ptrdiff_t end) {
   switch (width) {
+    case 1:
+      return add_terms_of<1>(terms, factor, out, begin, end);
     case 2:
       return add_terms_of<2>(terms, factor, out, begin, end);
     case 3:
@@ -41,8 +43,14 @@ void add_terms(int width, RowTerms terms, double factor, double* out, std::ptrdi
       return add_terms_of<4>(terms, factor, out, begin, end);
     case 5:
       return add_terms_of<5>(terms, factor, out, begin, end);
-    default:
+    case 6:
+      return add_terms_of<6>(terms, factor, out, begin, end);
+    case 7:
       return add_terms_of<7>(terms, factor, out, begin, end);
+    case 9:
+      return add_terms_of<9>(terms, factor, out, begin, end);
+    default:
+      return add_terms_of<11>(terms, factor, out, begin, end);
   }
 }
 
@@ -105,8 +113,8 @@ void add_rows(HalfProduct& half, int p, int q, double weight, SymmetricStencil& 
 
 SymmetricStencil::SymmetricStencil(int rows, int columns, int degree)
     : rows_(rows), columns_(columns), degree_(degree) {
-  if (degree < 2 || degree > 3)
-    throw InvalidInput("SymmetricStencil: expected degree 2 or 3, found " + std::to_string(degree));
+  if (degree < 1 || degree > 5)
+    throw InvalidInput("SymmetricStencil: expected degree 1 to 5, found " + std::to_string(degree));
   values_.assign(static_cast<std::size_t>(rows) * planes() * static_cast<std::size_t>(columns), 0.);
 }
 

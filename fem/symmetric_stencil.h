@@ -14,7 +14,7 @@ namespace batten {
 class SymmetricStencil {
 public:
   SymmetricStencil() = default;
-  /// All entries zero. Throws InvalidInput unless degree is 2 or 3.
+  /// All entries zero. Throws InvalidInput unless the degree is from 1 to 5.
   SymmetricStencil(int rows, int columns, int degree);
 
   int rows() const { return rows_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <batten/app/number_text.h>
+#include <batten/domains/number_text.h>
 
 #include <array>
 #include <cstdio>

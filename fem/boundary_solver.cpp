@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
+#include <batten/fem/boundary_solver.h>
+#include <batten/fem/boundary_system.h>
+#include <batten/fem/load_vector.h>
+#include <batten/fem/rigid_motions.h>
+#include <batten/fem/side_data.h>
+#include <batten/fem/support_points.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace batten {
+namespace {
+
+using Vector = std::vector<double>;
+
+/// The problem in its discrete form, and its solution while it is found.
+class BoundarySolve {
+public:
+  BoundarySolve(const BoundaryProblem& problem, const BoundarySolveOptions& options)
+      : problem_(problem),
+        options_(options),
+        motions_(problem),
+        supports_(support_points(problem, motions_.pins())),
+        load_(load_vector(problem)) {
+    motions_.expect_balanced(load_);
+  }
+
+  BoundaryResult run();
+
+private:
+  template <typename Work>
+  void timed(const std::string& phase, Work&& work) {
+    if (options_.progress) options_.progress(phase, 0);
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    seconds_.push_back({phase, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+  }
+  Vector right_side() const;
+  Vector support_targets() const;
+  Vector iterate();
+  void measure(BoundaryResult& result) const;
+
+  const BoundaryProblem& problem_;
+  const BoundarySolveOptions& options_;
+  RigidMotions motions_;
+  SupportPoints supports_;
+  Vector load_;      // b of all splines
+  Lifting lifting_;  // g
+  std::optional<BoundarySystem> system_;
+  Vector solution_;  // whole coefficients of u
+  Vector force_;     // of the supports on u, in the order of the system's points
+  IterationResult iterations_;
+  std::vector<PhaseTime> seconds_;
+};
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+}
+
+/// b - A g of the splines that keep the conditions.
+Vector BoundarySolve::right_side() const {
+  const Vector ag = system_->apply_whole(lifting_.coefficients);
+  Vector b = load_;
+  for (std::size_t i = 0; i < b.size(); ++i) b[i] -= ag[i];
+  return system_->restricted(b);
+}
+
+/// What the supports still ask of the homogeneous part, in the order of the system's points.
+Vector BoundarySolve::support_targets() const {
+  const Solution lifted(problem_.region, problem_.degree, lifting_.coefficients);
+  const auto& c = supports_.constraints;
+  Vector target;
+  for (const std::size_t i : system_->order()) target.push_back(c.target[i] - lifted.value(c.x[i], c.y[i]));
+  return target;
+}
+
+/// The method of multipliers: each step solves for the correction that the residual and the springs, whose forces add
+/// up, still ask for. Without supports one step suffices. Returns the homogeneous part.
+Vector BoundarySolve::iterate() {
+  constexpr int most_steps = 8;
+  constexpr double correction_accuracy = 1e-4;  // what the springs gain in a step
+  const auto& multigrid = system_->multigrid();
+  const auto& data = multigrid.data();
+  const Vector b = right_side(), target = support_targets();
+  Vector v(b.size()), av(b.size()), step(b.size()), miss = target, pull(data.size());
+  force_.assign(data.size(), 0.);
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < most_steps; ++k) {
+    Vector r = b;
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] -= av[i];
+    for (std::size_t i = 0; i < pull.size(); ++i) pull[i] = force_[i] + data.weights()[i] * miss[i];
+    data.add_adjoint(pull, r);
+    if (k > 0) {
+      const double size = energy_size(multigrid, r);
+      if (size <= options_.limits.accuracy * std::sqrt(dot(v, av)) || size > before / 2) break;
+      before = size;
+    }
+    std::fill(step.begin(), step.end(), 0.);
+    IterationLimits limits = options_.limits;
+    if (k > 0) limits.accuracy = std::max(limits.accuracy, correction_accuracy);
+    const auto found = solve(multigrid, r, step, limits);
+    iterations_.iterations += found.iterations;
+    iterations_.accuracy = k == 0 ? found.accuracy : std::max(iterations_.accuracy, options_.limits.accuracy);
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] += step[i];
+    if (data.size() == 0) break;
+    av = system_->apply(v);
+    data.values(v, miss);
+    for (std::size_t i = 0; i < miss.size(); ++i) {
+      miss[i] = target[i] - miss[i];
+      force_[i] += data.weights()[i] * miss[i];
+    }
+    if (options_.progress) options_.progress("solve", (k + 1.) / most_steps);
+  }
+  return v;
+}
+
+/// The forces that keep the conditions of the sides: the residual A u - b of all splines is the force on each function.
+/// A function held by two sides counts half for each.
+std::array<double, 4> side_reactions(const BoundaryProblem& problem, const SplineSpace& space, const Vector& residual) {
+  const int nx = space.x.size(), ny = space.y.size();
+  const auto held = [&](const Side& side, int from_side) {
+    return side.value && from_side <= (problem.is_plate() && side.normal ? 1 : 0);
+  };
+  const auto& s = problem.sides;
+  std::array<double, 4> result{};
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      if (i > 1 && i < nx - 2 && j > 1 && j < ny - 2) continue;
+      const std::array<bool, 4> by = {held(s.left, i), held(s.right, nx - 1 - i), held(s.bottom, j),
+                                      held(s.top, ny - 1 - j)};
+      const auto holders = std::count(by.begin(), by.end(), true);
+      for (std::size_t k = 0; k < 4; ++k)
+        if (by[k]) result[k] += residual[static_cast<std::size_t>(j) * nx + i] / static_cast<double>(holders);
+    }
+  return result;
+}
+
+void BoundarySolve::measure(BoundaryResult& result) const {
+  Vector au = system_->apply_whole(solution_);
+  result.energy = dot(solution_, au);
+  result.compliance = dot(solution_, load_);
+  for (std::size_t i = 0; i < au.size(); ++i) au[i] -= load_[i];
+  result.side_reactions = side_reactions(problem_, system_->space(), au);
+  const std::size_t points = problem_.supports.points.size(), lines = problem_.supports.lines.size();
+  Vector reactions(points + lines + static_cast<std::size_t>(motions_.count()));
+  for (std::size_t i = 0; i < force_.size(); ++i) reactions[supports_.owner[system_->order()[i]]] += force_[i];
+  const auto line = reactions.begin() + static_cast<std::ptrdiff_t>(points);
+  result.point_reactions.assign(reactions.begin(), line);
+  result.line_reactions.assign(line, line + static_cast<std::ptrdiff_t>(lines));
+}
+
+BoundaryResult BoundarySolve::run() {
+  timed("assemble", [&] {
+    system_.emplace(problem_, 0., supports_.constraints);
+    lifting_ = lifting(problem_);
+  });
+  timed("solve", [&] { solution_ = system_->whole(iterate()); });
+  for (std::size_t i = 0; i < solution_.size(); ++i) solution_[i] += lifting_.coefficients[i];
+  motions_.remove_from(solution_);
+  BoundaryResult result{.solution = Solution(problem_.region, problem_.degree, solution_)};
+  timed("measure", [&] { measure(result); });
+  result.unknowns = system_->multigrid().size();
+  result.levels = system_->hierarchy().size();
+  result.iterations = iterations_.iterations;
+  result.accuracy = iterations_.accuracy;
+  result.notes = lifting_.notes;
+  if (motions_.count() > 0)
+    result.notes.push_back(
+        "sides and supports leave the solution free to move; the one with mean 0 (and, for a plate, "
+        "without mean tilt) is given");
+  result.seconds = seconds_;
+  return result;
+}
+
+}  // namespace
+
+BoundaryResult solve_boundary_problem(const BoundaryProblem& problem, const BoundarySolveOptions& options) {
+  return BoundarySolve(problem, options).run();
+}
+
+}  // namespace batten

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <batten/domains/errors.h>
+#include <batten/fem/boundary_system.h>
+#include <batten/fem/side_data.h>
+#include <batten/fem/varying_energy.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace batten {
+namespace {
+
+double longer_side(const Rectangle& region) { return std::max(region.x.length(), region.y.length()); }
+
+/// The energy of the problem where all coefficients are constant, in the hierarchy's normalised coordinates.
+std::optional<Energy> constant_energy(const BoundaryProblem& problem, const Field& mass) {
+  const auto all_constant = [&](std::initializer_list<const Field*> fields) {
+    return std::all_of(fields.begin(), fields.end(), [](const Field* f) { return f->is_constant(); });
+  };
+  const auto value = [](const Field& f) { return f(0, 0); };
+  const double length = longer_side(problem.region);
+  if (const auto* c = std::get_if<Conduction>(&problem.material)) {
+    if (!all_constant({&c->k, &c->c, &mass})) return {};
+    return Energy::conduction(value(c->k), value(c->c) + value(mass)).scaled(length);
+  }
+  const auto& p = std::get<KirchhoffPlate>(problem.material);
+  if (!all_constant({&p.rigidity, &p.foundation, &p.tension, &mass})) return {};
+  return Energy::plate({value(p.rigidity), p.poisson_ratio, value(p.tension), value(p.foundation) + value(mass)})
+      .scaled(length);
+}
+
+SymmetricStencil varying_energy(const BoundaryProblem& problem, const Field& mass) {
+  auto terms = energy_terms(problem);
+  if (!mass.is_zero()) terms.push_back({mass, 1, {0, 0}, {0, 0}, "density", true});
+  return varying_stencil(terms, problem.region, problem.degree);
+}
+
+TensorSum restriction_of(const SplineSpace& space) {
+  return TensorSum({{1., subspace_restriction(space.y.size(), space.y.ends()),
+                     subspace_restriction(space.x.size(), space.x.ends())}});
+}
+
+/// E of all splines on the problem's cells.
+Operator whole_energy(const BoundaryProblem& problem, const Field& mass) {
+  if (const auto energy = constant_energy(problem, mass))
+    return Operator(*energy, finest_space(problem.region, problem.degree));
+  return Operator(varying_energy(problem, mass));
+}
+
+Hierarchy hierarchy_of(const BoundaryProblem& problem, const Field& mass, const Operator& whole) {
+  const SpaceEnds ends = side_conditions(problem);
+  if (const auto energy = constant_energy(problem, mass))
+    return Hierarchy(*energy, problem.region, problem.degree, {}, ends);
+  const auto space = finest_space(problem.region, problem.degree, {}, ends);
+  return Hierarchy(whole.stencil()->galerkin(restriction_of(space)), problem.region, problem.degree, {}, ends);
+}
+
+GridPoints in_cells(const BoundarySystem::Constraints& constraints, const Rectangle& region) {
+  GridPoints points;
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    points.x.push_back(region.x.to_cells(constraints.x[i]));
+    points.y.push_back(region.y.to_cells(constraints.y[i]));
+  }
+  return points;
+}
+
+template <typename T>
+std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::size_t>& order) {
+  std::vector<T> result(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) result[i] = values[order[i]];
+  return result;
+}
+
+/// Springs so stiff that a step of the method of multipliers gains four digits: 10^4 / (b · D^-1 b), where D, the
+/// smoother's diagonal, exceeds A and b holds the values of the functions at the point. Stiffer ones would turn the
+/// rounding of displacements into forces.
+std::vector<double> spring_weights(const Hierarchy& hierarchy, const DataTerm& data) {
+  constexpr double stiffness = 1e4;
+  const auto& level = hierarchy.finest();
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const PointRow row = data.row(i);
+    double give = 0;
+    for (int b = 0; b <= hierarchy.degree(); ++b)
+      for (int a = 0; a <= hierarchy.degree(); ++a) {
+        const double value = row.x[static_cast<std::size_t>(a)] * row.y[static_cast<std::size_t>(b)];
+        const int p = row.first_x + a, q = row.first_y + b;
+        if (value != 0) give += value * value / (level.bound * level.energy.entry(p, q, p, q));
+      }
+    if (!(give > 0))
+      throw InvalidInput("solve_boundary_problem: expected supports away from sides that are fixed already");
+    weights.push_back(stiffness / give);
+  }
+  return weights;
+}
+
+}  // namespace
+
+BoundarySystem::BoundarySystem(const BoundaryProblem& problem, const Field& mass, const Constraints& constraints)
+    : whole_energy_(whole_energy(problem, mass)),
+      hierarchy_(hierarchy_of(problem, mass, whole_energy_)),
+      points_(in_cells(constraints, problem.region)),
+      order_(cell_order(points_, space())),
+      multigrid_((points_ = {reordered(points_.x, order_), reordered(points_.y, order_)}, hierarchy_), points_) {
+  multigrid_.set(1, spring_weights(hierarchy_, multigrid_.data()));
+}
+
+std::vector<double> BoundarySystem::apply(std::span<const double> v) const {
+  std::vector<double> result(v.size());
+  hierarchy_.finest().energy.apply(v, result);
+  return result;
+}
+
+std::vector<double> BoundarySystem::apply_whole(std::span<const double> whole) const {
+  std::vector<double> result(whole.size());
+  whole_energy_.apply(whole, result);
+  return result;
+}
+
+std::vector<double> BoundarySystem::restricted(std::span<const double> whole) const {
+  std::vector<double> result(whole.size());
+  restriction_of(space()).apply(whole, result);
+  return result;
+}
+
+std::vector<double> BoundarySystem::whole(std::span<const double> v) const {
+  std::vector<double> result(v.begin(), v.end());
+  const std::ptrdiff_t nx = space().x.size(), ny = space().y.size();
+  for (std::ptrdiff_t j = 0; j < ny; ++j) space().x.to_unconstrained(result.data() + j * nx, 1);
+  for (std::ptrdiff_t i = 0; i < nx; ++i) space().y.to_unconstrained(result.data() + i, nx);
+  return result;
+}
+
+}  // namespace batten

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/fem/boundary_problem.h>
+#include <batten/fem/hierarchy.h>
+
+#include <string>
+#include <vector>
+
+namespace batten {
+
+/// What the sides ask of the homogeneous part of the solution: values are fixed strongly, normal derivatives of plates
+/// too, while those of Conduction are loads.
+SpaceEnds side_conditions(const BoundaryProblem& problem);
+
+/// A spline that takes the data of the sides: coefficients in the whole spline space, x fastest.
+struct Lifting {
+  std::vector<double> coefficients;
+  std::vector<std::string> notes;  ///< corners where the data of two sides differ
+};
+
+/// Each side's value and normal derivative are projected onto the splines of that side (L2, the ends interpolated), and
+/// determine the first coefficients from there. Where two sides ask different things of a coefficient at a corner it
+/// takes their mean. Throws InvalidInput for data that are not finite.
+Lifting lifting(const BoundaryProblem& problem);
+
+}  // namespace batten

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+#include <batten/domains/errors.h>
+#include <batten/fem/boundary_solver.h>
+#include <batten/fem/boundary_system.h>
+#include <batten/fem/side_data.h>
+
+#include "../support/laws.h"
+#include "../support/message_of.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace batten {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Rectangle unit_square(int cells) { return {Interval(0, 1, cells), Interval(0, 1, cells)}; }
+
+Sides all(const Side& side) { return {side, side, side, side}; }
+
+BoundaryProblem plate(int cells, int degree, const Side& side) {
+  BoundaryProblem problem{KirchhoffPlate{}, unit_square(cells), degree, all(side), {}, {}};
+  problem.loads.area = 1.;
+  return problem;
+}
+
+BoundaryProblem membrane(int cells, int degree, const Side& side) {
+  BoundaryProblem problem{Conduction{}, unit_square(cells), degree, all(side), {}, {}};
+  problem.loads.area = 1.;
+  return problem;
+}
+
+double sum(const std::array<double, 4>& values) { return std::accumulate(values.begin(), values.end(), 0.); }
+
+// Classical numbers of plates, q a^4 / D and P a^2 / D with a = D = 1 [Timoshenko & Woinowsky-Krieger 1959], to the
+// digits that series give.
+TEST(ClampedPlate, under_uniform_load_has_the_known_deflection_moments_and_volume) {
+  const auto result = solve_boundary_problem(plate(64, 5, Side::clamped()));
+  const auto& w = result.solution;
+  EXPECT_NEAR(w.value(0.5, 0.5), 0.00126531908748, 1e-10 * 0.00126531908748);
+  EXPECT_NEAR(result.compliance, 3.89120077507e-4, 1e-9 * 3.9e-4);
+  EXPECT_NEAR(-(w.derivative(0.5, 0.5, 2, 0) + 0.3 * w.derivative(0.5, 0.5, 0, 2)), 0.02290509, 1e-8);
+  EXPECT_NEAR(-w.derivative(0, 0.5, 2, 0), -0.05133376, 1e-8);
+  EXPECT_NEAR(sum(result.side_reactions), -1, 1e-8);
+  EXPECT_LT(result.accuracy, 1e-10);
+}
+
+TEST(ClampedPlate, centre_error_of_bicubics_falls_as_stated) {
+  const std::array limits = {3.3e-3, 1.4e-4, 8.5e-6, 5.2e-7, 3.1e-8};
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    const int cells = 4 << k;
+    const auto w = solve_boundary_problem(plate(cells, 3, Side::clamped())).solution;
+    EXPECT_LT(std::abs(w.value(0.5, 0.5) / 0.00126531908748 - 1), 1.05 * limits[k]) << cells << " elements";
+  }
+}
+
+TEST(ClampedPlate, under_a_centre_point_load_deflects_as_known) {
+  auto problem = plate(128, 3, Side::clamped());
+  problem.loads = {};
+  problem.loads.points = {{0.5, 0.5, 1}};
+  EXPECT_NEAR(solve_boundary_problem(problem).solution.value(0.5, 0.5), 0.005612, 1e-6);
+}
+
+TEST(SimplySupportedPlate, has_the_known_deflections_and_moment) {
+  auto problem = plate(64, 5, Side::simply_supported());
+  const auto uniform = solve_boundary_problem(problem);
+  const auto& w = uniform.solution;
+  EXPECT_NEAR(w.value(0.5, 0.5), 0.00406235266067506, 4e-13);
+  EXPECT_NEAR(-(w.derivative(0.5, 0.5, 2, 0) + 0.3 * w.derivative(0.5, 0.5, 0, 2)), 0.04788637963, 1e-9);
+  problem.region = unit_square(256);
+  problem.degree = 3;
+  problem.loads = {};
+  problem.loads.points = {{0.5, 0.5, 1}};
+  EXPECT_NEAR(solve_boundary_problem(problem).solution.value(0.5, 0.5), 0.0116008397722, 1e-7);
+}
+
+TEST(Membrane, under_uniform_load_has_the_known_centre_and_volume) {
+  for (int degree : {3, 4, 5}) {
+    const auto result = solve_boundary_problem(membrane(64, degree, Side::fixed()));
+    EXPECT_NEAR(result.solution.value(0.5, 0.5), 0.0736713532815, 2e-9);
+    EXPECT_NEAR(result.compliance, 0.0351442537388, 1e-10);
+    EXPECT_NEAR(sum(result.side_reactions), -1, 1e-8);
+  }
+}
+
+constexpr std::array sides_of_plates = {"free", "fixed", "clamped", "symmetry"};
+
+Side side_of(std::string_view name) {
+  if (name == "fixed") return Side::fixed();
+  if (name == "clamped") return Side::clamped();
+  return name == "symmetry" ? Side::symmetry() : Side::free();
+}
+
+TEST(BoundarySystem, spaces_are_nested_and_operators_galerkin_for_every_pair_of_adjacent_sides) {
+  for (const char* x : sides_of_plates)
+    for (const char* y : sides_of_plates)
+      for (int degree = 2; degree <= 5; ++degree) {
+        SCOPED_TRACE(testing::Message() << x << " beside " << y << ", degree " << degree);
+        BoundaryProblem problem{KirchhoffPlate{1.5, 0.25, 0.7, 0.4},
+                                {Interval(0, 1, 33), Interval(0, 0.8, 24)},
+                                degree,
+                                {side_of(x), Side::free(), side_of(y), Side::clamped()},
+                                {},
+                                {}};
+        const BoundarySystem constant(problem);
+        const auto& h = constant.hierarchy();
+        for (int k = 0; k + 1 < h.size(); ++k) {
+          test::expect_symmetric(h[k].energy);
+          test::expect_galerkin(h[k], h[k + 1]);
+        }
+        std::get<KirchhoffPlate>(problem.material).rigidity = Field([](double, double) { return 1.5; });
+        const BoundarySystem assembled(problem);
+        const auto v = test::random_vector(constant.multigrid().size(), 7);
+        const auto a = constant.apply(v), b = assembled.apply(v);
+        double largest = 0, error = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+          largest = std::max(largest, std::abs(a[i]));
+          error = std::max(error, std::abs(a[i] - b[i]));
+        }
+        EXPECT_LT(error, 1e-12 * largest);
+      }
+}
+
+/// u and its derivatives up to order 4 as a product of functions of one variable.
+struct Product {
+  std::function<double(double, int)> x, y;
+  double operator()(double s, double t, int a, int b) const { return x(s, a) * y(t, b); }
+  double laplacian(double s, double t) const { return (*this)(s, t, 2, 0) + (*this)(s, t, 0, 2); }
+  double bilaplacian(double s, double t) const {
+    return (*this)(s, t, 4, 0) + 2 * (*this)(s, t, 2, 2) + (*this)(s, t, 0, 4);
+  }
+};
+
+/// amplitude cos(frequency t + phase)
+std::function<double(double, int)> wave(double amplitude, double frequency, double phase) {
+  return [=](double t, int order) {
+    return amplitude * std::pow(frequency, order) * std::cos(frequency * t + phase + order * pi / 2);
+  };
+}
+
+/// sin(π t)^4: value and three derivatives vanish at 0 and 1, so that it meets every homogeneous condition there.
+double flat(double t, int order) {
+  const double constant = order == 0 ? 3. / 8 : 0;
+  return constant + wave(-0.5, 2 * pi, 0)(t, order) + wave(0.125, 4 * pi, 0)(t, order);
+}
+
+/// Root mean square of the error of the derivatives of one order.
+double error_of(const Solution& solution, const Product& exact, int order) {
+  constexpr int samples = 97;
+  double sum = 0;
+  for (int j = 0; j < samples; ++j)
+    for (int i = 0; i < samples; ++i)
+      for (int a = 0; a <= order; ++a) {
+        const double x = (i + 0.5) / samples, y = (j + 0.5) / samples;
+        sum += std::pow(solution.derivative(x, y, a, order - a) - exact(x, y, a, order - a), 2);
+      }
+  return std::sqrt(sum) / samples;
+}
+
+/// Observed orders in L2, H1 (and H2) between two grids against min(d + 1, 2 (d + 1 - m)), d, d - 1.
+void expect_orders(BoundaryProblem problem, const Product& exact, int cells) {
+  const int d = problem.degree, m = problem.is_plate() ? 2 : 1;
+  const auto solve = [&](int n) {
+    problem.region = unit_square(n);
+    return solve_boundary_problem(problem, {.limits = {.accuracy = 1e-12}}).solution;
+  };
+  const Solution coarse = solve(cells), fine = solve(2 * cells);
+  for (int order = 0; order <= m && order < d + 1; ++order) {
+    const double expected = std::min(d + 1 - order, 2 * (d + 1 - m));
+    const double before = error_of(coarse, exact, order), after = error_of(fine, exact, order);
+    EXPECT_GT(std::log2(before / after), expected - 0.25)
+        << "degree " << d << ", H" << order << ": " << before << ", " << after;
+  }
+}
+
+TEST(BoundarySolver, converges_with_the_stated_orders_for_poisson_problems_and_every_kind_of_side) {
+  const Product exact{wave(1, 2.3, 0.4), wave(1, 1.9, -0.3)};
+  const auto value = Field([=](double x, double y) { return exact(x, y, 0, 0); });
+  const auto slope = [=](double sign, bool in_x) {
+    return Field([=](double x, double y) { return sign * (in_x ? exact(x, y, 1, 0) : exact(x, y, 0, 1)); });
+  };
+  for (int degree = 1; degree <= 5; ++degree) {
+    BoundaryProblem problem{Conduction{1.7, 0.6}, unit_square(8), degree, {}, {}, {}};
+    problem.loads.area =
+        Field([=](double x, double y) { return -1.7 * exact.laplacian(x, y) + 0.6 * exact(x, y, 0, 0); });
+    problem.sides = all(Side::fixed(value));
+    expect_orders(problem, exact, 8);
+    problem.sides = {Side::sloped(slope(-1, true)), Side::fixed(value), Side::sloped(slope(-1, false)),
+                     Side::sloped(slope(1, false))};
+    expect_orders(problem, exact, 8);
+  }
+}
+
+TEST(BoundarySolver, converges_with_varying_coefficients) {
+  const Product exact{wave(1, 2.3, 0.4), wave(1, 1.9, -0.3)};
+  for (int degree = 1; degree <= 5; ++degree) {
+    BoundaryProblem problem{Conduction{Field([](double x, double y) { return 1 + x * y; }), 0.},
+                            unit_square(8),
+                            degree,
+                            all(Side::fixed(Field([=](double x, double y) { return exact(x, y, 0, 0); }))),
+                            {},
+                            {}};
+    problem.loads.area = Field([=](double x, double y) {
+      return -(1 + x * y) * exact.laplacian(x, y) - y * exact(x, y, 1, 0) - x * exact(x, y, 0, 1);
+    });
+    expect_orders(problem, exact, 8);
+  }
+}
+
+TEST(BoundarySolver, converges_with_the_stated_orders_for_plates_and_every_kind_of_homogeneous_side) {
+  const Product exact{flat, flat};
+  for (int degree = 2; degree <= 5; ++degree)
+    for (const char* name : sides_of_plates) {
+      SCOPED_TRACE(name);
+      BoundaryProblem problem{KirchhoffPlate{2., 0.3, 1.1, 0.7}, unit_square(8), degree, all(side_of(name)), {}, {}};
+      problem.sides.top = Side::clamped();
+      problem.loads.area = Field([=](double x, double y) {
+        return 2 * exact.bilaplacian(x, y) - 0.7 * exact.laplacian(x, y) + 1.1 * exact(x, y, 0, 0);
+      });
+      expect_orders(problem, exact, degree == 5 ? 12 : 16);
+    }
+}
+
+TEST(BoundarySolver, converges_for_clamped_plates_with_values_and_slopes_given) {
+  const Product exact{wave(1, 2.3, 0.4), wave(1, 1.9, -0.3)};
+  const auto side = [=](double nx, double ny) {
+    return Side::clamped(Field([=](double x, double y) { return exact(x, y, 0, 0); }),
+                         Field([=](double x, double y) { return nx * exact(x, y, 1, 0) + ny * exact(x, y, 0, 1); }));
+  };
+  for (int degree = 2; degree <= 5; ++degree) {
+    BoundaryProblem problem{
+        KirchhoffPlate{}, unit_square(8), degree, {side(-1, 0), side(1, 0), side(0, -1), side(0, 1)}, {}, {}};
+    problem.loads.area = Field([=](double x, double y) { return exact.bilaplacian(x, y); });
+    expect_orders(problem, exact, 8);
+  }
+}
+
+TEST(BoundarySolver, bends_a_free_plate_on_three_points_as_balance_asks) {
+  auto problem = plate(48, 3, Side::free());
+  problem.supports.points = {{0.2, 0.2, 0.5}, {0.8, 0.2, 0}, {0.5, 0.9, 0}};
+  const auto result = solve_boundary_problem(problem);
+  EXPECT_NEAR(result.solution.value(0.2, 0.2), 0.5, 1e-10);
+  EXPECT_NEAR(result.solution.value(0.5, 0.9), 0, 1e-10);
+  // forces and moments of three supports about the centre
+  const auto& r = result.point_reactions;
+  EXPECT_NEAR(r[0] + r[1] + r[2], -1, 1e-7);
+  EXPECT_NEAR(-0.3 * r[0] + 0.3 * r[1], 0, 1e-7);
+  EXPECT_NEAR(-0.3 * r[0] - 0.3 * r[1] + 0.4 * r[2], 0, 1e-7);
+}
+
+TEST(BoundarySolver, gives_a_plate_that_is_free_to_move_no_mean_and_no_tilt) {
+  auto problem = plate(32, 3, Side::free());
+  problem.loads.area = Field([](double x, double y) { return std::cos(2 * pi * x) * std::cos(4 * pi * y); });
+  const auto result = solve_boundary_problem(problem);
+  const auto& w = result.solution;
+  double mean = 0, largest = 0;
+  for (int j = 0; j < 64; ++j)
+    for (int i = 0; i < 64; ++i) {
+      const double value = w.value((i + 0.5) / 64, (j + 0.5) / 64);
+      mean += value / 4096;
+      largest = std::max(largest, std::abs(value));
+    }
+  EXPECT_LT(std::abs(mean), 1e-4 * largest);
+  EXPECT_EQ(result.notes.size(), 1u);
+}
+
+TEST(BoundarySolver, holds_pegs_and_lines_of_membranes) {
+  auto problem = membrane(100, 2, Side::fixed());
+  problem.loads = {};
+  problem.supports.points = {{0.3, 0.3, 1, 0.05}};
+  problem.supports.lines = {{{0.6, 0.2}, {0.8, 0.9}, -1.}};
+  const auto u = solve_boundary_problem(problem).solution;
+  for (int k = 0; k < 40; ++k) {
+    const double angle = 2 * pi * k / 40;
+    EXPECT_NEAR(u.value(0.3 + 0.05 * std::cos(angle), 0.3 + 0.05 * std::sin(angle)), 1, 2e-2);
+    EXPECT_NEAR(u.value(0.6 + 0.2 * k / 40, 0.2 + 0.7 * k / 40), -1, 1e-2);
+  }
+}
+
+TEST(BoundarySolver, averages_corner_values_that_differ_and_says_so) {
+  auto problem = membrane(16, 2, Side::fixed());
+  problem.sides.left = Side::fixed(1.);
+  const auto result = solve_boundary_problem(problem);
+  EXPECT_EQ(result.notes.size(), 2u);
+  EXPECT_NEAR(result.solution.value(0, 0), 0.5, 1e-12);
+  EXPECT_NEAR(result.solution.value(0, 0.5), 1, 1e-12);
+}
+
+std::string refusal(const BoundaryProblem& problem) {
+  return message_of<InvalidInput>([&] { solve_boundary_problem(problem); });
+}
+
+TEST(BoundarySolver, refuses_loads_that_nothing_balances_and_says_by_how_much) {
+  EXPECT_EQ(
+      refusal(membrane(8, 2, Side::free())),
+      "solve_boundary_problem: expected loads and fluxes that add up to 0, since no side or support fixes a value; "
+      "found a sum of 1");
+  auto problem = plate(8, 3, Side::free());
+  problem.loads.area = Field([](double x, double) { return x - 0.5; });
+  EXPECT_NE(refusal(problem).find("moments about the centre of 0.0833333 (in x)"), std::string::npos)
+      << refusal(problem);
+}
+
+TEST(BoundarySolver, refuses_bare_points_in_membranes_and_supports_that_contradict_each_other) {
+  auto problem = membrane(8, 2, Side::fixed());
+  problem.supports.points = {{0.5, 0.5, 1}};
+  EXPECT_NE(refusal(problem).find("expected a radius > 0 of the support at (0.5, 0.5)"), std::string::npos);
+  auto other = plate(8, 3, Side::clamped());
+  other.supports.points = {{0.5, 0.5, 1}, {0.5, 0.5, 2}};
+  EXPECT_NE(refusal(other).find("supports with 1 and 2 at (0.5, 0.5)"), std::string::npos);
+  other.supports.points = {{0.5, 1.5, 1}};
+  EXPECT_NE(refusal(other).find("within the rectangle, found one at (0.5, 1.5)"), std::string::npos);
+}
+
+TEST(BoundarySolver, refuses_coefficients_and_loads_out_of_range_and_says_where) {
+  auto problem = membrane(8, 2, Side::fixed());
+  problem.material = Conduction{Field([](double x, double) { return 0.5 - x; }), 0.};
+  EXPECT_NE(refusal(problem).find("expected k > 0 everywhere, found -"), std::string::npos) << refusal(problem);
+  problem.material = Conduction{};
+  problem.loads.area = Field([](double x, double) { return std::sqrt(x - 0.5); });
+  EXPECT_NE(refusal(problem).find("expected a finite load, found -nan at (0.0"), std::string::npos) << refusal(problem);
+}
+
+}  // namespace
+}  // namespace batten
