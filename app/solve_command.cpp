@@ -1,41 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/problem_templates.h>
-#include <batten/app/progress.h>
 #include <batten/app/solve_command.h>
 #include <batten/app/solve_outputs.h>
-#include <batten/app/stopwatch.h>
+#include <batten/app/solve_work.h>
 #include <batten/app/thread_count.h>
 #include <batten/app/usage_error.h>
-#include <batten/domains/number_text.h>
 #include <batten/fem/plate_forces.h>
-#include <batten/fem/time_stepping.h>
-#include <batten/fem/vibration.h>
-#include <batten/io/collection_file.h>
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
 namespace batten {
 namespace {
 
-/// What every kind of solution works with.
-struct Work {
-  const SolveArguments& arguments;
-  const ProblemFile& file;
-  Progress& progress;
-  SolveAccount& account;
-  Stopwatch watch = {};
-
-  BoundarySolveOptions options() const {
-    return {file.limits, [this](std::string_view phase, double done) { progress.show(phase, done); }};
-  }
-  void end_phase(const std::string& phase) { account.seconds.push_back({phase, watch.lap()}); }
-};
-
-void write_rest(Work& work) {
+void write_rest(SolveWork& work) {
   const BoundaryResult& result = *work.account.result;
   GridSamples grid = result.solution.samples();
   if (work.file.problem.is_plate()) {
@@ -60,69 +40,13 @@ void write_rest(Work& work) {
   work.account.files.push_back(arguments.picture);
 }
 
-void solve_at_rest(Work& work) {
+void solve_at_rest(SolveWork& work) {
   work.account.result = solve_boundary_problem(work.file.problem, work.options());
   const auto& phases = work.account.result->seconds;
   work.account.seconds.insert(work.account.seconds.end(), phases.begin(), phases.end());
   work.watch.lap();
   write_rest(work);
   work.end_phase("write");
-}
-
-std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
-
-void solve_modes(Work& work) {
-  const SolveArguments& arguments = work.arguments;
-  const int count = work.file.modes->count;
-  const std::vector<Mode> modes = vibration_modes(work.file.problem, count, work.file.modes->density, work.options());
-  work.end_phase("modes");
-  std::vector<CollectionEntry> series;
-  std::vector<std::string> pictures;
-  for (const Mode& mode : modes) {
-    const int k = static_cast<int>(series.size()) + 1;
-    const std::string path = with_suffix(arguments.output, mode_suffix(k, count));
-    work.progress.show("write " + path);
-    const GridSamples grid = mode.shape.samples();
-    write_solution({path, &mode.shape, &work.file, {{"mode", k}, {"eigenvalue", mode.eigenvalue}}}, grid);
-    series.push_back({static_cast<double>(k), file_name(path)});
-    work.account.files.push_back(path);
-    work.account.modes.push_back({path, mode.eigenvalue, mode.residual});
-    if (arguments.picture.empty()) continue;
-    pictures.push_back(with_suffix(arguments.picture, mode_suffix(k, count)));
-    work.progress.show("draw " + pictures.back());
-    draw_mode_picture(pictures.back(), grid, work.file.unknown(),
-                      "mode " + std::to_string(k) + ", frequency " + number_text(frequency(mode.eigenvalue), 6));
-  }
-  write_collection(collection_name(arguments.output), series);
-  work.account.files.push_back(collection_name(arguments.output));
-  work.account.files.insert(work.account.files.end(), pictures.begin(), pictures.end());
-  work.end_phase("write");
-}
-
-void solve_motion(Work& work) {
-  const SolveArguments& arguments = work.arguments;
-  const Motion& motion = *work.file.motion;
-  const int count = frame_count(motion);
-  std::vector<CollectionEntry> series;
-  GridSamples last;
-  const auto write_frame = [&](double time, const Solution& state) {
-    const std::string path = with_suffix(arguments.output, frame_suffix(static_cast<int>(series.size()), count));
-    last = state.samples();
-    write_solution({path, &state, &work.file, {{"time", time}}}, last);
-    series.push_back({time, file_name(path)});
-    work.account.files.push_back(path);
-    work.account.frames.push_back({path, time, extremes_of(last, last.arrays.front())});
-    work.progress.show("time " + number_text(time), time / motion.end);
-  };
-  march(work.file.problem, motion, write_frame, work.options());
-  work.end_phase("march and write");
-  write_collection(collection_name(arguments.output), series);
-  work.account.files.push_back(collection_name(arguments.output));
-  if (arguments.picture.empty()) return;
-  work.progress.show("draw " + arguments.picture);
-  draw_surface_picture(arguments.picture, last, work.file.unknown(), "time " + number_text(series.back().time, 6));
-  work.account.files.push_back(arguments.picture);
-  work.end_phase("draw");
 }
 
 void check_arguments(const SolveArguments& arguments) {
@@ -151,16 +75,12 @@ void run_solve(const SolveArguments& arguments) {
   const ProblemFile file = read_problem(arguments.problem);
   check_series_outputs(arguments, file);
   SolveAccount account{.arguments = &arguments, .file = &file};
-  Work work{arguments, file, progress, account};
+  SolveWork work{arguments, file, progress, account};
   account.seconds.push_back({"read", total.lap()});
   double elapsed = account.seconds.back().seconds;
-  if (file.modes) {
-    solve_modes(work);
-  } else if (file.motion) {
-    solve_motion(work);
-  } else {
-    solve_at_rest(work);
-  }
+  if (file.modes || file.motion)
+    throw InvalidInput(arguments.problem + ": [modes] and [time] cannot be solved yet");  // see solve_series.h
+  solve_at_rest(work);
   elapsed += total.lap();
   account.seconds.push_back({"total", elapsed});
   if (!arguments.report.empty()) {
