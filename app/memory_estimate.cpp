@@ -78,9 +78,10 @@ double available_memory() { return std::min({machine_memory(), group_memory(), p
 void check_memory(const FitSize& size) { check(size.cells_x, size.cells_y, "a fit", fit_memory(size)); }
 
 double solve_memory(const SolveSize& size) {
-  // 100 bytes in the solver, and 24 arrays of doubles at the corners: of the derivatives that the forces are made of,
-  // of what is written, and of what VTK makes of it.
-  constexpr double per_unknown = 300, at_least = 4e7;
+  // Measured at 512^2 to 1024^2 cells, degrees 1, 3 and 5.
+  constexpr double of_constants = 180, of_each_entry = 11, at_least = 4e7;
+  const double entries = (2. * size.degree + 1) * (2. * size.degree + 1);
+  const double per_unknown = of_constants + (size.varies ? of_each_entry * entries : 0);
   return at_least + per_unknown * (size.cells_x + size.degree) * (size.cells_y + size.degree);
 }
 

@@ -25,9 +25,10 @@ void check_memory(const FitSize& size);
 struct SolveSize {
   double cells_x = 0, cells_y = 0;
   int degree = 3;
+  bool varies = false;  ///< a coefficient of the material is not constant, so that stencils are stored
 };
 
-/// Bytes that a problem with constant coefficients needs at its peak, with what is written; an estimate.
+/// Bytes that such a problem needs at its peak, with what is written, measured; an estimate, not a bound.
 double solve_memory(const SolveSize& size);
 
 /// As above for `solve_memory`.

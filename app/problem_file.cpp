@@ -46,17 +46,28 @@ int degree_of(const TomlEntries& file, bool plate) {
                      (plate ? " for a plate" : "") + ", found " + number_text(degree, digits));
 }
 
+/// Throws InvalidInput if there is not enough memory for so many cells.
+void expect_room(const TomlValue& cells, const SolveSize& size) {
+  try {
+    check_memory(size);
+  } catch (const InvalidInput& error) {
+    refuse(cells, error.what());
+  }
+}
+
+bool varies(const Conduction& material) { return !material.k.is_constant() || !material.c.is_constant(); }
+
+bool varies(const KirchhoffPlate& material) {
+  return !material.rigidity.is_constant() || !material.foundation.is_constant() || !material.tension.is_constant();
+}
+
 Rectangle region_of(const TomlEntries& file, int degree) {
   constexpr const char* range = "a range [lower, upper]";
   const auto x = range_of(file.require("x", range)), y = range_of(file.require("y", range));
   const TomlValue& cells = file.require("cells", "the numbers of cells [NX, NY]");
   pair_of(cells, "the numbers of cells [NX, NY]");
   const int nx = whole_number_of(cells.items[0], 2), ny = whole_number_of(cells.items[1], 2);
-  try {
-    check_memory(SolveSize{static_cast<double>(nx), static_cast<double>(ny), degree});
-  } catch (const InvalidInput& error) {
-    refuse(cells, error.what());
-  }
+  expect_room(cells, {static_cast<double>(nx), static_cast<double>(ny), degree});
   return {Interval(x[0], x[1], nx), Interval(y[0], y[1], ny)};
 }
 
@@ -167,6 +178,9 @@ ProblemFile problem_of(const TomlValue& file, const std::filesystem::path& folde
   } else {
     problem.material = conduction_of(material, fields);
   }
+  const bool stores_stencils = std::visit([](const auto& m) { return varies(m); }, problem.material);
+  expect_room(*entries.find("cells"), {static_cast<double>(fields.region().x.cells()),
+                                       static_cast<double>(fields.region().y.cells()), degree, stores_stencils});
   problem.loads = loads_of(table_or_empty(entries, "load"), plate, fields);
   problem.supports = supports_of(table_or_empty(entries, "supports"), plate, fields);
   const TomlValue *const modes = entries.find("modes"), *const time = entries.find("time");

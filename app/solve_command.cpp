@@ -5,6 +5,8 @@
 #include <batten/app/solve_work.h>
 #include <batten/app/thread_count.h>
 #include <batten/app/usage_error.h>
+#include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/plate_forces.h>
 
 #include <CLI/CLI.hpp>
@@ -42,7 +44,11 @@ void write_rest(SolveWork& work) {
 
 void solve_at_rest(SolveWork& work) {
   work.account.result = solve_boundary_problem(work.file.problem, work.options());
-  const auto& phases = work.account.result->seconds;
+  BoundaryResult& result = *work.account.result;
+  if (const double asked = work.file.limits.accuracy; result.accuracy > asked)
+    result.notes.push_back("the accuracy is " + number_text(result.accuracy, 2) + "; " + number_text(asked) +
+                           " was asked for");
+  const auto& phases = result.seconds;
   work.account.seconds.insert(work.account.seconds.end(), phases.begin(), phases.end());
   work.watch.lap();
   write_rest(work);

@@ -96,6 +96,33 @@ TEST_F(Solving, a_supported_plate_under_a_sine_is_that_of_the_formula) {
   EXPECT_NEAR(report["reactions"]["corners"]["lower_left"], 2 * 0.7 * pi * pi * top, 0.01 * pi * pi * top);
 }
 
+TEST_F(Solving, a_clamped_square_has_the_deflection_and_moments_of_the_tables) {
+  const std::string clamped =
+      "[sides]\nleft = \"clamped\"\nright = \"clamped\"\nbottom = \"clamped\"\ntop = \"clamped\"\n";
+  folder_.write("p.toml", "problem = \"plate\"\ndegree = 5\n" + square + "[load]\nq = 1\n" + clamped);
+  expect_success(folder_, "solve p.toml -o o.vti --report o.json --quiet");
+  const auto report = json_of(folder_, "o.json");
+  EXPECT_NEAR(report["extremes"]["value"]["largest"]["value"], 0.00126531908748, 1e-10);
+  EXPECT_NEAR(report["extremes"]["Mx"]["least"]["value"], -0.05133376, 1e-6);
+  EXPECT_NEAR(report["extremes"]["My"]["largest"]["value"], 0.02290509, 1e-6);
+  for (const char* const side : {"left", "right", "bottom", "top"}) EXPECT_NEAR(report["reactions"][side], -0.25, 1e-9);
+}
+
+TEST_F(Solving, a_free_plate_must_be_balanced) {
+  const std::string free = "[sides]\nleft = \"free\"\nright = \"free\"\nbottom = \"free\"\ntop = \"free\"\n";
+  folder_.write("p.toml", "problem = \"plate\"\n" + square + "[load]\nq = 1\n" + free);
+  expect_refusal(run_batten(folder_, words("solve p.toml -o o.vti")), 1, "a net force of 1");
+  EXPECT_FALSE(folder_.has("o.vti"));
+}
+
+TEST_F(Solving, says_when_the_accuracy_is_not_reached) {
+  folder_.write("p.toml",
+                "problem = \"plate\"\n" + square + "[load]\nq = 1\n" + all_fixed + "[solver]\naccuracy = 1e-18\n");
+  const Outcome run = expect_success(folder_, "solve p.toml -o o.vti --report o.json");
+  EXPECT_THAT(run.err, AllOf(HasSubstr("batten: note: the accuracy is "), HasSubstr("1e-18 was asked for")));
+  EXPECT_THAT(json_of(folder_, "o.json")["notes"], SizeIs(1));
+}
+
 TEST_F(Solving, results_can_be_evaluated_for_every_degree) {
   folder_.write("at.csv", "x,y\n0.5,0.5\n0.3,0.8\n");
   for (const int degree : {1, 2, 3, 4, 5}) {
