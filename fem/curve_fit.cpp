@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/blocks.h>
 #include <batten/domains/errors.h>
+#include <batten/fem/curve_checks.h>
 #include <batten/fem/curve_fit.h>
 #include <batten/fem/interpolation_blocks.h>
 #include <batten/fem/smoothing_blocks.h>
@@ -17,35 +19,52 @@ double largest_weight(std::span<const double> weights, Eigen::Index points) {
   if (static_cast<Eigen::Index>(weights.size()) != points)
     throw InvalidInput("smoothing_curve: one weight for each of " + std::to_string(points) +
                        " points is needed, found " + std::to_string(weights.size()));
+  double largest = 0;
+  bool are_positive = true;
+  const RowBlocks blocks(static_cast<int>(points), 1);
+#pragma omp parallel for schedule(static) reduction(max : largest) reduction(&& : are_positive) if (blocks.count() > 1)
+  for (int block = 0; block < blocks.count(); ++block) {
+    const int begin = blocks.begin(block);
+    const double found = largest_of_positive(weights.data() + begin, blocks.end(block) - begin);
+    largest = std::max(largest, found);
+    are_positive = found > 0 && are_positive;
+  }
+  if (are_positive) return largest;
   const auto is_bad = [](double w) { return !(w > 0) || !std::isfinite(w); };
   const auto bad = std::find_if(weights.begin(), weights.end(), is_bad);
-  if (bad != weights.end())
-    throw InvalidInput("smoothing_curve: weights must be positive, found " + std::to_string(*bad) + " at place " +
-                       std::to_string(bad - weights.begin()));
-  return *std::max_element(weights.begin(), weights.end());
+  throw InvalidInput("smoothing_curve: weights must be positive, found " + std::to_string(*bad) + " at place " +
+                     std::to_string(bad - weights.begin()));
+}
+
+/// Refuses what the numbers were found to be: input first, then a result that overflows.
+NaturalCubic checked_curve(std::vector<double> knots, const Eigen::MatrixXd& points, bool closed,
+                           FoundCoefficients found) {
+  if (found.are_sound) return NaturalCubic::of_checked(std::move(knots), std::move(found.coefficients), closed);
+  NaturalCubic::require(knots, points, closed);
+  return {std::move(knots), std::move(found.coefficients), closed};
 }
 
 }  // namespace
 
 NaturalCubic interpolating_curve(std::vector<double> knots, const Eigen::MatrixXd& points, bool closed) {
-  NaturalCubic::require(knots, points, closed);
-  Eigen::MatrixXd coefficients = interpolation_coefficients(knots, points, closed);
-  return {std::move(knots), std::move(coefficients), closed};
+  NaturalCubic::require_sizes(knots, points, closed);
+  FoundCoefficients found = interpolation_coefficients(knots, points, closed);
+  return checked_curve(std::move(knots), points, closed, std::move(found));
 }
 
 NaturalCubic smoothing_curve(std::vector<double> knots, const Eigen::MatrixXd& points, std::span<const double> weights,
                              double lambda, bool closed) {
   if (!(lambda >= 0) || !std::isfinite(lambda))
     throw InvalidInput("smoothing_curve: lambda must be finite and not negative, found " + std::to_string(lambda));
-  NaturalCubic::require(knots, points, closed);
+  NaturalCubic::require_sizes(knots, points, closed);
   const double largest = largest_weight(weights, points.rows());
   if (lambda == 0) return interpolating_curve(std::move(knots), points, closed);
   SmoothingProblem problem{knots, points, weights, lambda, closed};
   // Beyond the limit λ changes the straight line of the limit by less than rounding.
   const double limit = 1e18 * largest * std::pow(static_cast<double>(points.rows()), 4);
   problem.lambda = std::clamp(lambda * std::pow(problem.per_unit(), 3), 1e-100 * largest, limit);
-  Eigen::MatrixXd coefficients = smoothing_coefficients(problem);
-  return {std::move(knots), std::move(coefficients), closed};
+  FoundCoefficients found = smoothing_coefficients(problem);
+  return checked_curve(std::move(knots), points, closed, std::move(found));
 }
 
 NaturalCubic curve_within(std::vector<double> knots, const Eigen::MatrixXd& points, std::span<const double> tolerances,

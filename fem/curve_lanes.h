@@ -20,12 +20,12 @@ struct alignas(lane_count * sizeof(double)) LaneStep {
 using LaneSteps = std::vector<LaneStep>;
 
 /// `rows` points cut into blocks whose lengths differ by at most one; how depends on the number of points alone. Blocks
-/// of a group, one for each lane, are worked on together.
+/// of a group, one for each lane, are worked on together: where there are several groups all of their lanes have one.
 class LaneBlocks {
 public:
   LaneBlocks(int rows, int shortest, int longest) : rows_(rows) {
-    const int length = std::clamp((rows + lane_count - 1) / lane_count, shortest, longest);
-    count_ = std::max(1, rows / length);
+    const int groups = (rows + lane_count * longest - 1) / (lane_count * longest);
+    count_ = groups > 1 ? groups * lane_count : std::clamp(rows / shortest, 1, lane_count);
   }
 
   int count() const { return count_; }
@@ -43,26 +43,58 @@ private:
 
 constexpr int lane_tile = 64;  // steps of all lanes that stay in the first cache
 
-/// steps[k] of lane l = the number that read(l, starts[l] + k, n, out) puts at out[0], ..., of n numbers that follow
-/// each other in a block, 0 <= k < count.
+// Of up to a tile:
+
+/// steps[k] of lane l = lines[l][k], 0 <= k < count.
+void gather_lanes(const double* const* lines, int count, LaneStep* steps);
+/// steps[k] of lane l = (lines[l][k + 1] - lines[l][k]) scale, 0 <= k < count.
+void gather_differences(const double* const* lines, int count, double scale, LaneStep* steps);
+/// lines[l][k] = steps[k] of lane l, 0 <= k < count.
+void scatter_lanes(const LaneStep* steps, int count, double* const* lines);
+
+/// steps[k] of lane l = the number of place starts[l] + k in a line, 0 <= k < count. read(l, place, n, buffer) says
+/// where n numbers that follow each other in the line of a lane are: there, or in the buffer that it has filled.
 template <class Read>
-void gather_lanes(const int* starts, int count, LaneSteps& steps, const Read& read) {
-  double line[lane_tile];
-  for (int tile = 0; tile < count; tile += lane_tile)
+void gather_lanes(const int* starts, int count, LaneStep* steps, const Read& read) {
+  double buffers[lane_count][lane_tile];
+  const double* lines[lane_count];
+  for (int tile = 0; tile < count; tile += lane_tile) {
+    const int n = std::min(lane_tile, count - tile);
+    for (int l = 0; l < lane_count; ++l) lines[l] = read(l, starts[l] + tile, n, buffers[l]);
+    gather_lanes(lines, n, steps + tile);
+  }
+}
+
+/// steps[k] of lane l = width(l, cell), cell = starts[l] + k, 0 <= k < count; which is (knots[cell + 1] - knots[cell])
+/// scale where 0 <= cell < ends[l].
+template <class Width>
+void gather_widths(const double* knots, double scale, const int* starts, const int* ends, int count, LaneStep* steps,
+                   const Width& width) {
+  const double* lines[lane_count];
+  for (int tile = 0; tile < count; tile += lane_tile) {
+    const int n = std::min(lane_tile, count - tile);
+    int inside = n;
     for (int l = 0; l < lane_count; ++l) {
-      const int n = std::min(lane_tile, count - tile);
-      read(l, starts[l] + tile, n, line);
-      for (int k = 0; k < n; ++k) steps[static_cast<std::size_t>(tile + k)].value[l] = line[k];
+      const int cell = starts[l] + tile;
+      inside = cell < 0 ? 0 : std::clamp(ends[l] - cell, 0, inside);
+      lines[l] = knots + cell;
     }
+    gather_differences(lines, inside, scale, steps + tile);
+    for (int k = tile + inside; k < tile + n; ++k)
+      for (int l = 0; l < lane_count; ++l) steps[k].value[l] = width(l, starts[l] + k);
+  }
 }
 
 /// out[starts[l] + k] = steps[from + k] of lane l, 0 <= k < lengths[l].
 inline void scatter_lanes(const int* starts, const int* lengths, int from, const LaneSteps& steps, double* out) {
-  const int count = static_cast<int>(steps.size()) - from;
-  for (int tile = 0; tile < count; tile += lane_tile)
-    for (int l = 0; l < lane_count; ++l)
-      for (int k = tile; k < std::min(lengths[l], tile + lane_tile); ++k)
-        out[starts[l] + k] = steps[static_cast<std::size_t>(from + k)].value[l];
+  const int shared = *std::min_element(lengths, lengths + lane_count);
+  double* lines[lane_count];
+  for (int tile = 0; tile < shared; tile += lane_tile) {
+    for (int l = 0; l < lane_count; ++l) lines[l] = out + starts[l] + tile;
+    scatter_lanes(&steps[static_cast<std::size_t>(from + tile)], std::min(lane_tile, shared - tile), lines);
+  }
+  for (int l = 0; l < lane_count; ++l)
+    for (int k = shared; k < lengths[l]; ++k) out[starts[l] + k] = steps[static_cast<std::size_t>(from + k)].value[l];
 }
 
 }  // namespace batten

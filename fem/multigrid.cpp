@@ -21,10 +21,13 @@ constexpr double largest_predicted_stiffness = 1e8;
 Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
     : hierarchy_(&hierarchy),
       vectors_(static_cast<std::size_t>(hierarchy.size())),
-      degree_(smoothing_degree(hierarchy.degree())) {
+      degree_(smoothing_degree(hierarchy.degree())),
+      repeats_(hierarchy.finest().energy.stencil() != nullptr) {
   for (int k = 0; k < hierarchy.size(); ++k) {
+    const std::size_t n = hierarchy[k].space.size();
     levels_.emplace_back(hierarchy[k], points, k + 1 == hierarchy.size());
-    work_.emplace_back(hierarchy[k].space.size());
+    work_.emplace_back(n);
+    repeat_.push_back(repeats_ && k > 0 ? Repeat{std::vector<double>(n), std::vector<double>(n)} : Repeat{});
   }
 }
 
@@ -117,9 +120,27 @@ void Multigrid::cycle(std::size_t k, std::span<const double> r) const {
   }
   const auto& level = levels_[k].level();
   levels_[k].smooth_first(degree_, r, work);
-  level.restriction->apply(work.r, work_[k + 1].r);
-  cycle(k + 1, work_[k + 1].r);
+  if (repeats_ && k + 2 < levels_.size()) {
+    level.restriction->apply(work.r, repeat_[k + 1].right);
+    cycle_twice(k + 1);
+  } else {
+    level.restriction->apply(work.r, work_[k + 1].r);
+    cycle(k + 1, work_[k + 1].r);
+  }
   levels_[k].smooth_last(degree_, work_[k + 1].x, work);
+}
+
+/// Solves for repeat_[k].right by a cycle, and by a second one for what the first has left.
+void Multigrid::cycle_twice(std::size_t k) const {
+  auto& work = work_[k];
+  auto& [right, first] = repeat_[k];
+  cycle(k, right);
+  std::swap(first, work.x);
+  work.x.resize(first.size());
+  levels_[k].apply(first, work.r);
+  for (std::size_t i = 0; i < right.size(); ++i) work.r[i] = right[i] - work.r[i];
+  cycle(k, work.r);
+  for (std::size_t i = 0; i < first.size(); ++i) work.x[i] += first[i];
 }
 
 }  // namespace batten

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/blocks.h>
 #include <batten/domains/errors.h>
+#include <batten/fem/curve_checks.h>
 #include <batten/fem/natural_cubic.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -13,25 +13,20 @@ namespace batten {
 
 namespace {
 
-bool increases(const std::vector<double>& knots) {
-  const double bad = sum_blocks(RowBlocks(static_cast<int>(knots.size()) - 1, 1), [&](int begin, int end) {
-    int count = 0;
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      const double width = knots[i + 1] - knots[i];
-      count += width > 0 && width <= std::numeric_limits<double>::max() ? 0 : 1;
-    }
-    return static_cast<double>(count);
-  });
-  return bad == 0;
+/// Whether is_sound(begin, end) of each block of n numbers.
+template <class Test>
+bool all_blocks(int n, const Test& is_sound) {
+  return sum_blocks(RowBlocks(n, 1), [&](int begin, int end) { return is_sound(begin, end) ? 0. : 1.; }) == 0;
 }
 
-bool is_finite(const Eigen::MatrixXd& m) {
-  const double bad = sum_blocks(RowBlocks(static_cast<int>(m.size()), 1), [&](int begin, int end) {
-    int count = 0;
-    for (int i = begin; i < end; ++i) count += std::abs(m.data()[i]) <= std::numeric_limits<double>::max() ? 0 : 1;
-    return static_cast<double>(count);
-  });
-  return bad == 0;
+bool increase(const std::vector<double>& knots) {
+  return all_blocks(static_cast<int>(knots.size()) - 1,
+                    [&](int begin, int end) { return increases(knots.data() + begin, end - begin); });
+}
+
+bool are_finite(const Eigen::MatrixXd& m) {
+  return all_blocks(static_cast<int>(m.size()),
+                    [&](int begin, int end) { return is_finite(m.data() + begin, end - begin); });
 }
 
 }  // namespace
@@ -41,7 +36,15 @@ NaturalCubic::NaturalCubic(std::vector<double> knots, Eigen::MatrixXd coefficien
   require(knots_, coefficients_, closed_);
 }
 
-void NaturalCubic::require(const std::vector<double>& knots, const Eigen::MatrixXd& coefficients, bool closed) {
+NaturalCubic NaturalCubic::of_checked(std::vector<double> knots, Eigen::MatrixXd coefficients, bool closed) {
+  NaturalCubic curve;
+  curve.knots_ = std::move(knots);
+  curve.coefficients_ = std::move(coefficients);
+  curve.closed_ = closed;
+  return curve;
+}
+
+void NaturalCubic::require_sizes(const std::vector<double>& knots, const Eigen::MatrixXd& coefficients, bool closed) {
   const std::size_t least = closed ? 4 : 2;
   if (knots.size() < least)
     throw InvalidInput("NaturalCubic: at least " + std::to_string(least) + " knots are needed" +
@@ -50,13 +53,17 @@ void NaturalCubic::require(const std::vector<double>& knots, const Eigen::Matrix
   if (coefficients.rows() != expected)
     throw InvalidInput("NaturalCubic: " + std::to_string(knots.size()) + " knots have " + std::to_string(expected) +
                        " coefficients, found " + std::to_string(coefficients.rows()));
-  if (!increases(knots))
+}
+
+void NaturalCubic::require(const std::vector<double>& knots, const Eigen::MatrixXd& coefficients, bool closed) {
+  require_sizes(knots, coefficients, closed);
+  if (!increase(knots))
     for (std::size_t i = 0; i + 1 < knots.size(); ++i)
       if (!(knots[i] < knots[i + 1]) || !std::isfinite(knots[i + 1] - knots[i]))
         throw InvalidInput("NaturalCubic: knots must increase, found " + std::to_string(knots[i]) + " and " +
                            std::to_string(knots[i + 1]) + " at places " + std::to_string(i) + " and " +
                            std::to_string(i + 1));
-  if (!is_finite(coefficients)) throw InvalidInput("NaturalCubic: coefficients must be finite, found one that is not");
+  if (!are_finite(coefficients)) throw InvalidInput("NaturalCubic: coefficients must be finite, found one that is not");
 }
 
 double NaturalCubic::width(int cell) const {

@@ -20,8 +20,12 @@ public:
   /// the same place. Throws InvalidInput when the numbers of rows and knots do not fit, closed curves have less than 3
   /// cells, knots do not increase (naming the first two that do not), or a number is not finite.
   NaturalCubic(std::vector<double> knots, Eigen::MatrixXd coefficients, bool closed = false);
+  /// The same of what `require` is known to accept, without looking at it again.
+  static NaturalCubic of_checked(std::vector<double> knots, Eigen::MatrixXd coefficients, bool closed);
   /// Throws what the constructor would, without a copy.
   static void require(const std::vector<double>& knots, const Eigen::MatrixXd& coefficients, bool closed);
+  /// The part of it that looks at no number.
+  static void require_sizes(const std::vector<double>& knots, const Eigen::MatrixXd& coefficients, bool closed);
   /// The spline with these values at the knots and these second derivatives there, which have to fit to each other.
   static NaturalCubic from_values(std::vector<double> knots, const Eigen::MatrixXd& values,
                                   const Eigen::MatrixXd& second_derivatives, bool closed = false);

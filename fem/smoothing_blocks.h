@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/fem/interpolation_blocks.h>
+
 #include <Eigen/Core>
 
 #include <span>
@@ -8,7 +10,7 @@
 
 namespace batten {
 
-/// What a smoothing spline is of, checked. Lengths are in units of the mean width of a cell.
+/// What a smoothing spline is of. Lengths are in units of the mean width of a cell.
 struct SmoothingProblem {
   std::span<const double> knots;
   const Eigen::MatrixXd& points;
@@ -29,7 +31,7 @@ struct SmoothingProblem {
 /// smooths. Backwards the costate y = (-p''', p'') left of a knot gives x = m + P y [Bryson & Frazier 1963].
 /// What a block says about the states at its ends has five parts that can be combined [Särkkä & García-Fernández 2021]:
 /// the states between blocks are found first, then all blocks are filled in independently.
-Eigen::MatrixXd smoothing_coefficients(const SmoothingProblem& problem);
+FoundCoefficients smoothing_coefficients(const SmoothingProblem& problem);
 
 /// A block seen from its ends: given the state x at its begin, that at its end is A x + b with covariance C; its points
 /// say about x what the quadratic form J and the linear form κ say. One column of b and κ for each component.

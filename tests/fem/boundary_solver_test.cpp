@@ -289,6 +289,30 @@ TEST(BoundarySolver, averages_corner_values_that_differ_and_says_so) {
   EXPECT_NEAR(result.solution.value(0, 0.5), 1, 1e-12);
 }
 
+/// Iterations to 1e-10 on a clamped or fixed unit square whose coefficient is a checkerboard of 8 x 8 fields.
+int checkerboard_iterations(bool is_plate, int cells, int degree, double contrast) {
+  const Field field([=](double x, double y) {
+    return (static_cast<int>(8 * x) + static_cast<int>(8 * y)) % 2 == 0 ? 1. : contrast;
+  });
+  BoundaryProblem problem = is_plate ? plate(cells, degree, Side::clamped()) : membrane(cells, degree, Side::fixed());
+  if (is_plate)
+    problem.material = KirchhoffPlate{field};
+  else
+    problem.material = Conduction{field};
+  return solve_boundary_problem(problem).iterations;
+}
+
+TEST(BoundarySolver, needs_few_iterations_at_every_size_for_a_checkerboard_of_contrast_a_thousand) {
+  for (const bool is_plate : {false, true})
+    for (int degree = is_plate ? 2 : 1; degree <= 3; ++degree) {
+      const int even = checkerboard_iterations(is_plate, 64, degree, 1);
+      const int small = checkerboard_iterations(is_plate, 64, degree, 1000);
+      const int large = checkerboard_iterations(is_plate, 256, degree, 1000);
+      EXPECT_LE(small, (is_plate ? 4 : 3) * even) << "degree " << degree;
+      EXPECT_LE(large, small + 1) << "degree " << degree;
+    }
+}
+
 std::string refusal(const BoundaryProblem& problem) {
   return message_of<InvalidInput>([&] { solve_boundary_problem(problem); });
 }
