@@ -137,6 +137,14 @@ TEST_F(Solving, results_can_be_evaluated_for_every_degree) {
   }
 }
 
+TEST_F(Solving, the_number_of_threads_does_not_change_a_bit) {
+  folder_.write("p.toml", "problem = \"plate\"\n" + square +
+                              "[material]\nD = \"1 + x^2*y\"\n[load]\nq = \"sin(pi*x)\"\n" + all_fixed);
+  expect_success(folder_, "solve p.toml -o a.vti --threads 1 --quiet");
+  expect_success(folder_, "solve p.toml -o b.vti --threads 3 --quiet");
+  EXPECT_TRUE(folder_.read("a.vti") == folder_.read("b.vti"));
+}
+
 TEST_F(Solving, says_nothing_when_quiet) {
   folder_.write("p.toml", "problem = \"plate\"\n" + square + "[load]\nq = 1\n" + all_fixed);
   const Outcome run = expect_success(folder_, "solve p.toml -o o.vti --quiet");
