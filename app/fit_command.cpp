@@ -6,6 +6,7 @@
 #include <batten/app/fit_report.h>
 #include <batten/app/mask.h>
 #include <batten/app/progress.h>
+#include <batten/app/stopwatch.h>
 #include <batten/app/thread_count.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
@@ -13,24 +14,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <chrono>
 #include <iostream>
 #include <memory>
 
 namespace batten {
 namespace {
-
-// Seconds since it was made or last asked.
-class Stopwatch {
-public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 FitOptions fit_options(const FitArguments& arguments, double aspect, Progress& progress) {
   FitOptions options;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/fit_outputs.h>
 #include <batten/app/fit_report.h>
+#include <batten/app/grid_text.h>
 #include <batten/domains/number_text.h>
 
 namespace batten {
@@ -17,17 +18,6 @@ std::string points_line(const FitAccount& account) {
   add(result.points_outside, "outside the region");
   add(result.points_merged, "averaged into others");
   return line;
-}
-
-std::string interval_text(const Interval& interval) {
-  return number_text(interval.lower(), 6) + " to " + number_text(interval.upper(), 6);
-}
-
-std::string grid_line(const FitResult& result) {
-  const Rectangle& region = result.solution.region();
-  return std::to_string(region.x.cells()) + " x " + std::to_string(region.y.cells()) + " cells of degree " +
-         std::to_string(result.solution.degree()) + " on x " + interval_text(region.x) + ", y " +
-         interval_text(region.y) + ", " + std::to_string(result.solution.coefficients().size()) + " unknowns";
 }
 
 std::string energy_text(const FitArguments& arguments) {
@@ -79,8 +69,8 @@ std::string cost_line(const FitAccount& account) {
 }  // namespace
 
 std::string summary_of(const FitAccount& account) {
-  return points_line(account) + '\n' + grid_line(*account.result) + '\n' + surface_line(account) + '\n' +
-         residual_line(account) + '\n' + cost_line(account) + '\n';
+  return points_line(account) + '\n' + grid_text(account.result->solution.region(), account.result->solution.degree()) +
+         '\n' + surface_line(account) + '\n' + residual_line(account) + '\n' + cost_line(account) + '\n';
 }
 
 }  // namespace batten

@@ -3,6 +3,7 @@
 #include <batten/app/evaluate_command.h>
 #include <batten/app/fit_command.h>
 #include <batten/app/scheme_command.h>
+#include <batten/app/solve_command.h>
 #include <batten/app/subdivide_command.h>
 #include <batten/app/thread_count.h>
 #include <batten/app/usage_error.h>
@@ -73,8 +74,8 @@ int run(int argc, char** argv) {
   app.set_help_flag("-h,--help", "print this help and exit");
   app.footer("batten COMMAND --help explains each command.");
   app.require_subcommand(1);
-  const std::vector<Subcommand> commands = {add_fit_command(app), add_evaluate_command(app), add_scheme_command(app),
-                                            add_subdivide_command(app)};
+  const std::vector<Subcommand> commands = {add_fit_command(app), add_evaluate_command(app), add_solve_command(app),
+                                            add_scheme_command(app), add_subdivide_command(app)};
   if (argc <= 1) {
     std::cout << app.help();
     return 0;

@@ -55,6 +55,14 @@ double process_memory() {
   return static_cast<double>(limit.rlim_cur);
 }
 
+void check(double cells_x, double cells_y, const std::string& what, double needed) {
+  const double available = available_memory();
+  if (needed <= available) return;
+  throw InvalidInput(what + " on " + number_text(cells_x, 10) + " x " + number_text(cells_y, 10) +
+                     " cells needs about " + bytes_text(needed) + " of memory, and " + bytes_text(available) +
+                     " are available; use fewer cells");
+}
+
 }  // namespace
 
 double fit_memory(const FitSize& size) {
@@ -67,12 +75,16 @@ double fit_memory(const FitSize& size) {
 
 double available_memory() { return std::min({machine_memory(), group_memory(), process_memory()}); }
 
-void check_memory(const FitSize& size) {
-  const double needed = fit_memory(size), available = available_memory();
-  if (needed <= available) return;
-  throw InvalidInput("a fit on " + number_text(size.cells_x, 10) + " x " + number_text(size.cells_y, 10) +
-                     " cells needs about " + bytes_text(needed) + " of memory, and " + bytes_text(available) +
-                     " are available; use fewer cells");
+void check_memory(const FitSize& size) { check(size.cells_x, size.cells_y, "a fit", fit_memory(size)); }
+
+double solve_memory(const SolveSize& size) {
+  // Measured at 512^2 to 1024^2 cells, degrees 1, 3 and 5.
+  constexpr double of_constants = 180, of_each_entry = 11, at_least = 4e7;
+  const double entries = (2. * size.degree + 1) * (2. * size.degree + 1);
+  const double per_unknown = of_constants + (size.varies ? of_each_entry * entries : 0);
+  return at_least + per_unknown * (size.cells_x + size.degree) * (size.cells_y + size.degree);
 }
+
+void check_memory(const SolveSize& size) { check(size.cells_x, size.cells_y, "a solution", solve_memory(size)); }
 
 }  // namespace batten

@@ -21,4 +21,17 @@ double available_memory();
 /// Throws InvalidInput, with both numbers, if `fit_memory` exceeds `available_memory`.
 void check_memory(const FitSize& size);
 
+/// What the solution of a boundary value problem is asked to hold.
+struct SolveSize {
+  double cells_x = 0, cells_y = 0;
+  int degree = 3;
+  bool varies = false;  ///< a coefficient of the material is not constant, so that stencils are stored
+};
+
+/// Bytes that such a problem needs at its peak, with what is written, measured; an estimate, not a bound.
+double solve_memory(const SolveSize& size);
+
+/// As above for `solve_memory`.
+void check_memory(const SolveSize& size);
+
 }  // namespace batten

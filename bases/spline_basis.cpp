@@ -220,24 +220,45 @@ BandedRows SplineBasis::refinement(const SplineBasis& finer) const {
   return ends_.are_free() ? whole : without_removed_rows(with_constrained_columns(whole, ends_), ends_);
 }
 
-BandedRows SplineBasis::samples(int r) const {
-  const auto breakpoints = short_breakpoints(interval_, degree_);
-  const auto pieces = spline_pieces(breakpoints, degree_);
-  ExactRows exact{static_cast<int>(pieces.size()) + degree_, {}, {}};
-  for (std::size_t i = 0; i < breakpoints.size(); ++i) {
-    const std::size_t cell = std::min(i, pieces.size() - 1);
-    std::vector<Rational> row;
-    for (const auto& p : pieces[cell].coefficients) {  // r-th derivative at u = 0, or at u = 1 in the last cell
-      Rational value = 0;
-      for (std::size_t k = static_cast<std::size_t>(r); k < p.size(); ++k) {
-        Rational term = p[k];
-        for (int q = 0; q < r; ++q) term *= Rational(static_cast<long>(k) - q) / pieces[cell].length;
-        if (i > cell || k == static_cast<std::size_t>(r)) value += term;
-      }
-      row.push_back(value);
+namespace {
+
+/// The r-th derivatives of the functions of a piece with respect to t, at its start (u = 0) or end (u = 1).
+std::vector<Rational> end_derivatives(const SplinePiece& piece, int r, bool at_end) {
+  std::vector<Rational> row;
+  for (const auto& p : piece.coefficients) {
+    Rational value = 0;
+    for (std::size_t k = static_cast<std::size_t>(r); k < p.size(); ++k) {
+      Rational term = p[k];
+      for (int q = 0; q < r; ++q) term *= Rational(static_cast<long>(k) - q) / piece.length;
+      if (at_end || k == static_cast<std::size_t>(r)) value += term;
     }
+    row.push_back(value);
+  }
+  return row;
+}
+
+/// Half the row of the cell before a breakpoint and half that of the cell behind it, whose functions are one further
+/// on.
+std::vector<Rational> mean_of_limits(const std::vector<Rational>& before, const std::vector<Rational>& behind) {
+  std::vector<Rational> row(before.size() + 1);
+  for (std::size_t a = 0; a < before.size(); ++a) {
+    row[a] += before[a] / 2;
+    row[a + 1] += behind[a] / 2;
+  }
+  return row;
+}
+
+}  // namespace
+
+BandedRows SplineBasis::samples(int r) const {
+  const auto pieces = spline_pieces(short_breakpoints(interval_, degree_), degree_);
+  ExactRows exact{static_cast<int>(pieces.size()) + degree_, {}, {}};
+  for (std::size_t i = 0; i <= pieces.size(); ++i) {
+    const bool is_end = i == pieces.size(), jumps = r == degree_ && i > 0 && !is_end;
+    const std::size_t cell = is_end || jumps ? i - 1 : i;
+    auto row = end_derivatives(pieces[cell], r, cell < i);
     exact.first.push_back(static_cast<int>(cell));
-    exact.entries.push_back(std::move(row));
+    exact.entries.push_back(jumps ? mean_of_limits(row, end_derivatives(pieces[i], r, false)) : std::move(row));
   }
   trim(exact);
   const auto whole = lengthened(to_doubles(exact), interval_.cells() + 1, size(), 1, 1);

@@ -49,7 +49,7 @@ public:
   /// R with N_j = Σ_i R_ij N̂_i, N̂ the basis of `finer`: finer.size() x size(). Its interior rows are the B-spline
   /// subdivision rules.
   BandedRows refinement(const SplineBasis& finer) const;
-  /// N_j^(r) at the breakpoints: (cells + 1) x size().
+  /// N_j^(r) at the breakpoints, where it jumps (r = degree) the mean of the limits: (cells + 1) x size().
   BandedRows samples(int r) const;
   /// Coefficients of the derivative with respect to t, in the basis of degree - 1: (size() - 1) x size().
   BandedRows differences() const;

@@ -12,9 +12,9 @@ namespace batten {
 /// The system A = λ E + B^T W B of a penalised least-squares fit and its multigrid preconditioner.
 ///
 /// One V-cycle with equal Chebyshev smoothing before and after, so that it is a symmetric positive definite operator.
-/// Where the coefficients of the energy vary, coarse levels are visited twice (a W-cycle): transfers do not know of jumps
-/// of the coefficients, and with one visit the number of iterations would grow by one or two with each level. Transfers
-/// are B-spline refinement. The energy on coarse levels is exact. Where the data are stiff compared with the
+/// Where the coefficients of the energy vary, coarse levels are visited twice (a W-cycle): transfers do not know of
+/// jumps of the coefficients, and with one visit the number of iterations would grow by one or two with each level.
+/// Transfers are B-spline refinement. The energy on coarse levels is exact. Where the data are stiff compared with the
 /// energy, the finest level smooths data-aware and each coarser level sees its points on springs in series, 1/w_i <-
 /// 1/w_i + comp_i with the compliance of the level above: what a point asks of a coarse function, the finer level can
 /// give by bending near that point. The number of iterations then depends neither on λ nor on the size.
@@ -74,7 +74,7 @@ private:
   mutable std::vector<Repeat> repeat_;  // of coarse levels that are visited twice
   int degree_;                          // of the smoothing polynomials
   bool repeats_;                        // coarse levels are visited twice
-  double lambda_ = 0;  // none is set
+  double lambda_ = 0;                   // none is set
   bool data_aware_ = false;
   bool can_predict_ = false;
 };

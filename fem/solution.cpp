@@ -20,6 +20,7 @@ std::vector<double> sampled(const BandedRows& y, const BandedRows& x, double fac
 
 Solution::Solution(const Rectangle& region, int degree, std::vector<double> coefficients)
     : region_(region), x_(region.x, degree), y_(region.y, degree), coefficients_(std::move(coefficients)) {
+  if (degree < 1) throw InvalidInput("Solution: expected a degree of at least 1, found " + std::to_string(degree));
   const auto expected = static_cast<std::size_t>(x_.size()) * static_cast<std::size_t>(y_.size());
   if (coefficients_.size() != expected)
     throw InvalidInput("Solution: expected " + std::to_string(expected) + " coefficients, found " +

@@ -12,11 +12,11 @@
 
 namespace batten {
 
-/// A tensor-product spline on a rectangle: p(x, y) = Σ c_ij N_i(x) N_j(y) in clamped B-splines of degree 2 or 3.
+/// A tensor-product spline on a rectangle: p(x, y) = Σ c_ij N_i(x) N_j(y) in clamped B-splines of degree 1 to 5.
 class Solution {
 public:
   /// `coefficients`: (cells_x + degree) * (cells_y + degree) numbers, x fastest. Throws InvalidInput if their number
-  /// differs.
+  /// differs, or for another degree.
   Solution(const Rectangle& region, int degree, std::vector<double> coefficients);
 
   const Rectangle& region() const { return region_; }
@@ -25,10 +25,12 @@ public:
 
   /// p(x, y); NaN outside the region.
   double value(double x, double y) const { return derivative(x, y, 0, 0); }
-  /// ∂_x^a ∂_y^b p at (x, y), in the units of the data; NaN outside the region.
+  /// ∂_x^a ∂_y^b p at (x, y), in the units of the data; where it jumps (an order equal to the degree) the limit from
+  /// above; NaN outside the region.
   double derivative(double x, double y, int a, int b) const;
 
-  /// Point arrays "value" (1 component) and "gradient" (3 components, the third 0) at the corners of the cells.
+  /// Point arrays "value" (1 component) and "gradient" (3 components, the third 0; of degree 1, where it jumps, the
+  /// mean of the limits) at the corners of the cells.
   GridSamples samples() const;
 
   /// kind "surface", array "coefficients"; add numbers and texts as you like.

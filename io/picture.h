@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ struct PictureOptions {
   std::string value_name = "value";  ///< at the colour bar
   std::string x_name = "x";
   std::string y_name = "y";
-  double y_scale = 1;      ///< length of one unit of y in the picture, in units of x
-  double relief = 1 / 3.;  ///< Surface: height of the surface over the longer side of its plan
+  double y_scale = 1;                ///< length of one unit of y in the picture, in units of x
+  std::optional<double> bold_value;  ///< Map: the contour line of this value is drawn bold
+  double relief = 1 / 3.;            ///< Surface: height of the surface over the longer side of its plan
 };
 
 /// An image and what it shows where. Pixels are counted from the upper left corner.

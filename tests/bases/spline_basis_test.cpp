@@ -158,6 +158,26 @@ TEST(SplineBasis, samples_are_the_values_at_the_breakpoints) {
       }
 }
 
+TEST(SplineBasis, samples_of_the_highest_derivative_are_the_mean_of_its_limits) {
+  for (int degree : {1, 2, 3, 5})
+    for (int cells : {1, 2, 3, 31}) {
+      const auto b = basis(cells, degree);
+      const auto S = dense(b.samples(degree));
+      for (int i = 0; i <= cells; ++i) {
+        Eigen::VectorXd row = Eigen::VectorXd::Zero(b.size());
+        const bool is_end = i == 0 || i == cells;
+        for (const double t : {i - 0.5, i + 0.5}) {  // it is constant in a cell
+          if (t < 0 || t > cells) continue;
+          const auto local = b.at(t, degree);
+          for (int a = 0; a <= degree; ++a)
+            row[local.first + a] += (is_end ? 1 : 0.5) * local.values[static_cast<std::size_t>(a)];
+        }
+        EXPECT_LT((S.row(i).transpose() - row).cwiseAbs().maxCoeff(), 1e-11) << degree << ' ' << cells << ' ' << i;
+      }
+      EXPECT_EQ(dense(b.samples(degree + 1)).cwiseAbs().maxCoeff(), 0);
+    }
+}
+
 TEST(SplineBasis, repeating_rows_repeat) {
   for (const auto& m : {basis(64, 3).inner_products(2), basis(64, 3).refinement(basis(129, 3)),
                         transposed(basis(64, 2).refinement(basis(128, 2)))}) {

@@ -305,9 +305,8 @@ TEST(BoundarySolver, averages_corner_values_that_differ_and_says_so) {
 
 /// Iterations to 1e-10 on a clamped or fixed unit square whose coefficient is a checkerboard of 8 x 8 fields.
 int checkerboard_iterations(bool is_plate, int cells, int degree, double contrast) {
-  const Field field([=](double x, double y) {
-    return (static_cast<int>(8 * x) + static_cast<int>(8 * y)) % 2 == 0 ? 1. : contrast;
-  });
+  const Field field(
+      [=](double x, double y) { return (static_cast<int>(8 * x) + static_cast<int>(8 * y)) % 2 == 0 ? 1. : contrast; });
   BoundaryProblem problem = is_plate ? plate(cells, degree, Side::clamped()) : membrane(cells, degree, Side::fixed());
   if (is_plate)
     problem.material = KirchhoffPlate{field};

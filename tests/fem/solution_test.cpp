@@ -17,7 +17,7 @@ Solution wavy(int degree) {
 }
 
 TEST(Solution, samples_are_its_values_and_gradients_at_the_corners_of_the_cells) {
-  for (int degree : {2, 3}) {
+  for (int degree : {2, 3, 4, 5}) {
     const auto s = wavy(degree);
     const auto g = s.samples();
     ASSERT_EQ(g.points, (std::array{21, 14}));
@@ -25,11 +25,34 @@ TEST(Solution, samples_are_its_values_and_gradients_at_the_corners_of_the_cells)
       for (int i = 0; i < 21; ++i) {
         const double x = s.region().x.coordinate(i), y = s.region().y.coordinate(j);
         const auto k = static_cast<std::size_t>(j * 21 + i);
-        EXPECT_NEAR(g.arrays[0].values[k], s.value(x, y), 1e-14 * 10);
+        EXPECT_NEAR(g.arrays[0].values[k], s.value(x, y), 1e-13);
         EXPECT_NEAR(g.arrays[1].values[3 * k], s.derivative(x, y, 1, 0), 1e-12);
         EXPECT_NEAR(g.arrays[1].values[3 * k + 1], s.derivative(x, y, 0, 1), 1e-12);
         EXPECT_EQ(g.arrays[1].values[3 * k + 2], 0);
       }
+  }
+}
+
+TEST(Solution, samples_of_degree_1_have_the_mean_of_the_slopes_on_both_sides) {
+  const auto s = wavy(1);
+  const auto g = s.samples();
+  const double h = 8. / 20;
+  for (int j = 0; j < 14; ++j)
+    for (int i = 1; i < 20; ++i) {
+      const auto k = static_cast<std::size_t>(j * 21 + i);
+      EXPECT_EQ(g.arrays[0].values[k], s.coefficients()[k]);
+      EXPECT_NEAR(g.arrays[1].values[3 * k], (s.coefficients()[k + 1] - s.coefficients()[k - 1]) / (2 * h), 1e-12);
+    }
+}
+
+TEST(Solution, of_every_degree_has_derivatives_that_are_differences) {
+  const double h = 1e-5, x = 0.321, y = 12.34;
+  for (int degree : {1, 2, 3, 4, 5}) {
+    const auto s = wavy(degree);
+    for (int a = 0; a <= degree; ++a)
+      EXPECT_NEAR((s.derivative(x + h, y, a, 0) - s.derivative(x - h, y, a, 0)) / (2 * h), s.derivative(x, y, a + 1, 0),
+                  1e-5 * std::pow(5, a))
+          << degree << ' ' << a;
   }
 }
 
@@ -51,10 +74,12 @@ TEST(Solution, is_nan_outside) {
 }
 
 TEST(Solution, survives_the_record) {
-  const auto s = wavy(2);
-  const auto t = Solution::from_record(s.to_record());
-  EXPECT_EQ(s.value(0.1, 11.3), t.value(0.1, 11.3));
-  EXPECT_EQ(t.degree(), 2);
+  for (int degree : {1, 2, 3, 4, 5}) {
+    const auto s = wavy(degree);
+    const auto t = Solution::from_record(s.to_record());
+    EXPECT_EQ(s.value(0.1, 11.3), t.value(0.1, 11.3));
+    EXPECT_EQ(t.degree(), degree);
+  }
 }
 
 TEST(Solution, refuses_records_of_other_things) {
@@ -67,6 +92,11 @@ TEST(Solution, refuses_records_of_other_things) {
   record = wavy(2).to_record();
   record.cells = {3, 3};
   EXPECT_THROW(Solution::from_record(record), InvalidInput);
+  for (const int degree : {0, 6}) {
+    record = wavy(2).to_record();
+    record.degree = degree;
+    EXPECT_THROW(Solution::from_record(record), InvalidInput);
+  }
 }
 
 }  // namespace

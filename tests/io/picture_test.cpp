@@ -117,6 +117,17 @@ TEST(Map, has_contour_lines_at_round_values) {
   }
 }
 
+TEST(Map, draws_one_value_in_bold_and_black) {
+  PictureOptions options = map_options();
+  options.bold_value = 23.3;
+  const Picture map = draw_picture(sampled(ramp), {}, options);
+  const int column = column_of(map, 3.3 / 7), row = row_of(map, 0.5);
+  for (const int k : {column - 1, column, column + 1}) {
+    const Colour colour = colour_at(map, k, row);
+    EXPECT_LT(colour[0] + colour[1] + colour[2], 120);
+  }
+}
+
 TEST(Map, has_the_proportions_of_the_region) {
   const auto proportion = [](const Picture& map) {
     return (map.plot.right - map.plot.left) / static_cast<double>(map.plot.bottom - map.plot.top);

@@ -42,6 +42,8 @@ const std::vector<Library>& confined_libraries() {
       {"SuiteSparse",
        std::regex(R"(^<(suitesparse/)?(cholmod|umfpack|SuiteSparse)|^<Eigen/(Cholmod|UmfPack|SPQR)Support>)"),
        {"fem", "tests", "bench"}},
+      {"toml++", std::regex(R"(^<toml\+\+/)"), {"app"}},
+      {"muParser", std::regex(R"(^<muParser)"), {"app"}},
   };
   return libraries;
 }

@@ -32,7 +32,8 @@ std::vector<std::string> source_files(const std::filesystem::path& root);
 /// - include only downward (domains <- bases <- fem; io sees domains), own headers as <batten/folder/name.h>
 ///   (tests may name those of the tests by their place);
 /// - in headers nothing but Batten, the standard library and Eigen; Boost in bases/rational.h, GoogleTest below tests/;
-/// - VTK in io and tests, CGAL in domains and tests, Clp in bases, SuiteSparse in fem, tests and bench;
+/// - VTK in io and tests, CGAL in domains and tests, Clp in bases, SuiteSparse in fem, tests and bench, toml++ and
+///   muParser in app;
 /// - the three lengths above.
 std::vector<Violation> violations_of(const std::string& name, std::string_view text);
 

@@ -105,6 +105,9 @@ TEST(SourceLaws, confine_libraries_to_their_folders) {
               ElementsAre(HasSubstr("must not see Clp")));
   EXPECT_THAT(faults("io/a.cpp", licence + "#include <suitesparse/cholmod.h>\n"),
               ElementsAre(HasSubstr("must not see SuiteSparse")));
+  EXPECT_THAT(faults("fem/a.cpp", licence + "#include <toml++/toml.h>\n"),
+              ElementsAre(HasSubstr("must not see toml++")));
+  EXPECT_THAT(faults("io/a.cpp", licence + "#include <muParser.h>\n"), ElementsAre(HasSubstr("must not see muParser")));
 }
 
 TEST(SourceLaws, do_not_read_comments) {

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <batten/app/problem_templates.h>
+#include <batten/app/solve_command.h>
+#include <batten/app/solve_outputs.h>
+#include <batten/app/solve_work.h>
+#include <batten/app/thread_count.h>
+#include <batten/app/usage_error.h>
+#include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
+#include <batten/fem/plate_forces.h>
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace batten {
+namespace {
+
+void write_rest(SolveWork& work) {
+  const BoundaryResult& result = *work.account.result;
+  GridSamples grid = result.solution.samples();
+  if (work.file.problem.is_plate()) {
+    work.progress.show("moments and forces");
+    const auto& plate = std::get<KirchhoffPlate>(work.file.problem.material);
+    for (PointArray& array : force_samples(result.solution, plate)) grid.arrays.push_back(std::move(array));
+    work.account.corners = corner_forces(result.solution, plate);
+  }
+  for (const PointArray& array : grid.arrays)
+    if (array.components == 1) work.account.extremes.push_back(extremes_of(grid, array));
+  const SolveArguments& arguments = work.arguments;
+  work.progress.show("write " + arguments.output);
+  write_solution({arguments.output,
+                  &result.solution,
+                  &work.file,
+                  {{"energy", result.energy}, {"compliance", result.compliance}, {"accuracy", result.accuracy}}},
+                 grid);
+  work.account.files.push_back(arguments.output);
+  if (arguments.picture.empty()) return;
+  work.progress.show("draw " + arguments.picture);
+  draw_surface_picture(arguments.picture, grid, work.file.unknown(), "");
+  work.account.files.push_back(arguments.picture);
+}
+
+void solve_at_rest(SolveWork& work) {
+  work.account.result = solve_boundary_problem(work.file.problem, work.options());
+  BoundaryResult& result = *work.account.result;
+  if (const double asked = work.file.limits.accuracy; result.accuracy > asked)
+    result.notes.push_back("the accuracy is " + number_text(result.accuracy, 2) + "; " + number_text(asked) +
+                           " was asked for");
+  const auto& phases = result.seconds;
+  work.account.seconds.insert(work.account.seconds.end(), phases.begin(), phases.end());
+  work.watch.lap();
+  write_rest(work);
+  work.end_phase("write");
+}
+
+void check_arguments(const SolveArguments& arguments) {
+  if (arguments.problem.empty()) throw UsageError("PROBLEM is required, or --template KIND");
+  if (arguments.output.empty()) throw UsageError("--output is required");
+}
+
+void print(const SolveAccount& account) {
+  if (account.arguments->quiet) return;
+  if (account.result)
+    for (const std::string& text : account.result->notes) std::cerr << "batten: note: " << text << '\n';
+  std::cout << summary_of(account) << std::flush;
+}
+
+void run_solve(const SolveArguments& arguments) {
+  if (!arguments.template_kind.empty()) {
+    std::cout << problem_template(arguments.template_kind) << std::flush;
+    return;
+  }
+  check_arguments(arguments);
+  check_solve_outputs(arguments);
+  set_thread_count(arguments.threads);
+  Progress progress("batten solve", arguments.quiet);
+  Stopwatch total;
+  progress.show("read");
+  const ProblemFile file = read_problem(arguments.problem);
+  check_series_outputs(arguments, file);
+  SolveAccount account{.arguments = &arguments, .file = &file};
+  SolveWork work{arguments, file, progress, account};
+  account.seconds.push_back({"read", total.lap()});
+  double elapsed = account.seconds.back().seconds;
+  if (file.modes || file.motion)
+    throw InvalidInput(arguments.problem + ": [modes] and [time] cannot be solved yet");  // see solve_series.h
+  solve_at_rest(work);
+  elapsed += total.lap();
+  account.seconds.push_back({"total", elapsed});
+  if (!arguments.report.empty()) {
+    write_report(account);
+    account.files.push_back(arguments.report);
+  }
+  progress.erase();
+  print(account);
+}
+
+}  // namespace
+
+Subcommand add_solve_command(CLI::App& app) {
+  CLI::App* const parser = app.add_subcommand("solve", "Membranes, heat and plates from a problem file");
+  const auto a = std::make_shared<SolveArguments>();
+  parser->add_option("PROBLEM", a->problem, "the problem, a TOML file (docs/solve.md)")->option_text(" ");
+  auto* const kind = parser
+                         ->add_option("--template", a->template_kind,
+                                      "print a commented problem file to start from and end: " + template_kinds())
+                         ->option_text("KIND");
+  kind->check([](const std::string& text) {
+    return problem_template(text) ? std::string()
+                                  : "there is no template '" + text + "'; there are " + template_kinds();
+  });
+  parser->add_option("-o,--output", a->output, "the solution; of modes OUT_mode1.vti ..., of motion OUT_0000.vti ...")
+      ->option_text("OUT.vti");
+  parser
+      ->add_option("--picture", a->picture, "the solution; of motion its end; of modes a map of each with nodal lines")
+      ->option_text("OUT.png");
+  parser->add_option("--report", a->report, "numbers about the solution")->option_text("OUT.json");
+  parser->add_option("--threads", a->threads, "default: all of the machine; the result does not depend on it")
+      ->option_text("N")
+      ->check(CLI::Range(1, most_threads));
+  parser->add_flag("--quiet", a->quiet, "print errors only");
+  parser->footer(solve_help);
+  return {parser, [a] { run_solve(*a); }};
+}
+
+}  // namespace batten

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <batten/app/problem_templates.h>
+#include <batten/tests/app/command_run.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace batten::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::SizeIs;
+
+const std::string all_fixed =
+    "[sides]\nleft = {value = 0}\nright = {value = 0}\nbottom = {value = 0}\ntop = {value = 0}\n";
+const std::string square = "x = [0, 1]\ny = [0, 1]\ncells = [16, 16]\n";
+
+Outcome expect_success(const Folder& folder, const std::string& line) {
+  Outcome run = run_batten(folder, words(line));
+  EXPECT_EQ(run.status, 0) << line << '\n' << run.err;
+  return run;
+}
+
+nlohmann::json json_of(const Folder& folder, const std::string& name) {
+  return nlohmann::json::parse(folder.read(name));
+}
+
+class SolveSeries : public testing::Test {
+protected:
+  void SetUp() override {
+    if (!has_vtk) GTEST_SKIP() << "built without VTK";
+    GTEST_SKIP() << "the solver of modes and motion is not there yet";
+  }
+  Folder folder_;
+};
+
+TEST_F(SolveSeries, writes_modes_with_pictures_and_a_collection) {
+  folder_.write("p.toml", "problem = \"poisson\"\n" + square + all_fixed + "[modes]\ncount = 3\n");
+  const Outcome run = expect_success(folder_, "solve p.toml -o o.vti --picture o.png --report o.json");
+  for (const char* const name : {"o_mode1.vti", "o_mode3.vti", "o_mode1.png", "o_mode3.png", "o.pvd", "o.json"})
+    EXPECT_TRUE(folder_.has(name)) << name;
+  EXPECT_FALSE(folder_.has("o.vti"));
+  EXPECT_THAT(run.out, HasSubstr("mode      frequency"));
+  EXPECT_THAT(folder_.read("o.pvd"), HasSubstr("timestep=\"3\" file=\"o_mode3.vti\""));
+  const auto report = json_of(folder_, "o.json");
+  ASSERT_THAT(report["modes"], SizeIs(3));
+  const double pi = std::acos(-1.);
+  EXPECT_NEAR(report["modes"][0]["eigenvalue"], 2 * pi * pi, 1e-3);
+  EXPECT_NEAR(report["modes"][0]["frequency"], std::sqrt(2.) / 2, 1e-4);
+  EXPECT_NEAR(report["modes"][1]["angular_frequency"], std::sqrt(5.) * pi, 1e-3);
+}
+
+TEST_F(SolveSeries, writes_motion_as_a_collection) {
+  folder_.write("p.toml", "problem = \"poisson\"\n" + square + all_fixed +
+                              "[time]\nend = 0.1\nstep = 0.01\ninitial = \"sin(pi*x)*sin(pi*y)\"\n");
+  expect_success(folder_, "solve p.toml -o o.vti --picture o.png --report o.json");
+  EXPECT_TRUE(folder_.has("o_0000.vti") && folder_.has("o_0010.vti") && folder_.has("o.png"));
+  EXPECT_FALSE(folder_.has("o_0011.vti"));
+  EXPECT_THAT(folder_.read("o.pvd"), HasSubstr("file=\"o_0010.vti\""));
+  const auto frames = json_of(folder_, "o.json")["frames"];
+  ASSERT_THAT(frames, SizeIs(11));
+  EXPECT_NEAR(frames[0]["largest"]["value"], 1, 1e-3);
+  const double pi = std::acos(-1.);
+  EXPECT_NEAR(frames[10]["largest"]["value"], std::exp(-0.2 * pi * pi), 0.02);
+  expect_success(folder_, "solve p.toml -o o.vti --quiet");
+}
+
+TEST_F(SolveSeries, solves_the_templates_of_modes_and_motion) {
+  for (const std::string name : {"heat", "vibration"}) {
+    folder_.write("p.toml", problem_template(name));
+    expect_success(folder_, "solve p.toml -o " + name + ".vti --quiet");
+  }
+}
+
+TEST_F(SolveSeries, solves_the_examples_of_modes_and_motion) {
+  for (const std::string name : {"chladni", "heat_checkerboard"})
+    expect_success(folder_, "solve examples/data/" + name + ".toml -o " + name + ".vti --quiet");
+}
+
+}  // namespace
+}  // namespace batten::test
