@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <string>
+#include <utility>
 
 namespace batten {
 namespace {
@@ -14,11 +17,13 @@ namespace {
 // repeating row is then copied. 3 d + 4 cells leave more than one row that no end touches.
 int short_cells(int cells, int degree) { return std::min(cells, 3 * degree + 4 + (cells & 1)); }
 
-std::vector<int> short_breakpoints(const Interval& interval, int degree) {
+/// In units of `unit`, which divides them.
+std::vector<int> short_breakpoints(const Interval& interval, int degree, int unit = 1) {
   const auto all = interval.breakpoints();
   const int cells = short_cells(interval.cells(), degree);
   std::vector<int> result(all.begin(), all.begin() + cells + 1);
   result.back() = result[static_cast<std::size_t>(cells) - 1] + all.back() - all[all.size() - 2];
+  for (int& b : result) b /= unit;
   return result;
 }
 
@@ -96,8 +101,33 @@ BandedRows lengthened(BandedRows brief, int rows, int columns, int period, int s
 
 }  // namespace
 
+/// Inner products of the splines on a short interval, by the orders of the derivatives.
+struct SplineBasis::Derived {
+  std::vector<int> breakpoints;
+  std::mutex mutex;
+  std::map<std::pair<int, int>, BandedRows> products;
+};
+
+/// The unit of length in which inner products are derived: the cells of an interval of equal ones have length 1, so
+/// that all levels share what is derived.
+int SplineBasis::unit() const {
+  const auto b = interval_.breakpoints();
+  return b.back() - b[b.size() - 2] == interval_.regular_cell() ? interval_.regular_cell() : 1;
+}
+
+SplineBasis SplineBasis::on(const Interval& interval, const EndConditions& ends) const {
+  SplineBasis other(interval, degree_, ends);
+  if (other.derived_->breakpoints == derived_->breakpoints) other.derived_ = derived_;
+  return other;
+}
+
 SplineBasis::SplineBasis(const Interval& interval, int degree, const EndConditions& ends)
-    : interval_(interval), degree_(degree), ends_(ends), stored_pieces_(short_cells(interval.cells(), degree)) {
+    : interval_(interval),
+      degree_(degree),
+      ends_(ends),
+      stored_pieces_(short_cells(interval.cells(), degree)),
+      derived_(std::make_shared<Derived>()) {
+  derived_->breakpoints = short_breakpoints(interval, degree, unit());
   if (degree < 0 || degree > max_degree)
     throw InvalidInput("SplineBasis: expected a degree from 0 to " + std::to_string(max_degree) + ", found " +
                        std::to_string(degree));
@@ -187,17 +217,29 @@ void SplineBasis::to_unconstrained(double* c, std::ptrdiff_t stride) const {
   if (ends_.upper == EndCondition::Flat) c[last * stride] = c[(last - 1) * stride];
 }
 
-BandedRows SplineBasis::inner_products(int r, int s) const {
-  const auto products = exact_inner_products(short_breakpoints(interval_, degree_), degree_, r, s);
+namespace {
+
+BandedRows short_inner_products(std::span<const int> breakpoints, int degree, int r, int s) {
+  const auto products = exact_inner_products(breakpoints, degree, r, s);
   const int n = static_cast<int>(products.size());
   ExactRows exact{n, {}, {}};
   for (int i = 0; i < n; ++i) {
-    const int from = std::max(0, i - degree_), to = std::min(n - 1, i + degree_);
+    const int from = std::max(0, i - degree), to = std::min(n - 1, i + degree);
     const auto& row = products[static_cast<std::size_t>(i)];
     exact.first.push_back(from);
-    exact.entries.emplace_back(row.begin() + (from - i + degree_), row.begin() + (to - i + degree_ + 1));
+    exact.entries.emplace_back(row.begin() + (from - i + degree), row.begin() + (to - i + degree + 1));
   }
-  const auto whole = lengthened(to_doubles(exact), size(), size(), 1, 1);
+  return to_doubles(exact);
+}
+
+}  // namespace
+
+BandedRows SplineBasis::inner_products(int r, int s) const {
+  const std::lock_guard lock(derived_->mutex);
+  auto& brief = derived_->products[{r, s}];
+  if (brief.rows == 0) brief = short_inner_products(derived_->breakpoints, degree_, r, s);
+  auto whole = lengthened(brief, size(), size(), 1, 1);
+  whole.scale *= std::pow(unit(), 1 - r - s);
   return ends_.are_free() ? whole : with_constrained_rows(with_constrained_columns(whole, ends_), ends_);
 }
 

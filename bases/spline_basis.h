@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace batten {
@@ -54,21 +55,27 @@ public:
   /// Coefficients of the derivative with respect to t, in the basis of degree - 1: (size() - 1) x size().
   BandedRows differences() const;
   /// The basis of the next coarser level.
-  SplineBasis coarser() const { return {interval_.coarser(), degree_, ends_}; }
+  SplineBasis coarser() const { return on(interval_.coarser(), ends_); }
   /// All splines of this degree: no conditions at the ends.
-  SplineBasis unconstrained() const { return {interval_, degree_}; }
+  SplineBasis unconstrained() const { return on(interval_, {}); }
+  /// The same degree on another interval. What was derived in rationals is shared where the cells are alike.
+  SplineBasis on(const Interval& interval, const EndConditions& ends) const;
   /// Turns coefficients of this basis into those of unconstrained() in place; consecutive ones are `stride` apart.
   void to_unconstrained(double* coefficients, std::ptrdiff_t stride) const;
 
 private:
+  struct Derived;
+
   int piece_of(int cell) const;
+  int unit() const;
   void constrain(Local& local) const;
 
   Interval interval_;
   int degree_;
   EndConditions ends_;
   int stored_pieces_;  // cells of a short interval with the same ends; its cell `degree` stands for all inner ones
-  std::vector<double> pieces_;  // [stored cell][order of derivative][power of u][function]
+  std::vector<double> pieces_;        // [stored cell][order of derivative][power of u][function]
+  std::shared_ptr<Derived> derived_;  // what is derived in rationals once for all bases of the same cells
 };
 
 }  // namespace batten

@@ -82,7 +82,8 @@ Vector BoundarySolve::support_targets() const {
 }
 
 /// Each step solves for the correction that the residual asks for, formed anew with all its digits, and that the
-/// springs ask for, whose forces add up (the method of multipliers). Membranes without supports are done after the first.
+/// springs ask for, whose forces add up (the method of multipliers). Membranes without supports are done after the
+/// first.
 void BoundarySolve::iterate() {
   constexpr int most_steps = 8;
   constexpr double correction_accuracy = 1e-4;  // what the springs gain in a step

@@ -47,8 +47,7 @@ Vector y_differences(const Vector& c, Grid from, const Vector& slope) {
   for_rows(to, [&](std::ptrdiff_t j) {
     const double* in = c.data() + j * from.columns;
     double* out = result.data() + j * to.columns;
-    for (int i = 0; i < to.columns; ++i)
-      out[i] = slope[static_cast<std::size_t>(j)] * (in[i + from.columns] - in[i]);
+    for (int i = 0; i < to.columns; ++i) out[i] = slope[static_cast<std::size_t>(j)] * (in[i + from.columns] - in[i]);
   });
   return result;
 }
@@ -103,7 +102,8 @@ double dot(const Vector& a, const Vector& b) {
   const auto rows = static_cast<int>((a.size() + row - 1) / row);
   return sum_blocks(RowBlocks(rows, row), [&](int begin, int end) {
     double sum = 0;
-    for (std::size_t i = static_cast<std::size_t>(begin) * row; i < std::min(a.size(), static_cast<std::size_t>(end) * row); ++i)
+    for (std::size_t i = static_cast<std::size_t>(begin) * row;
+         i < std::min(a.size(), static_cast<std::size_t>(end) * row); ++i)
       sum += a[i] * b[i];
     return sum;
   });

@@ -51,26 +51,54 @@ double largest_eigenvalue(const Operator& e) {
   return 1.05 * eigenvalue;
 }
 
-/// The bound depends on the shape of the cells and the ends, not on how many cells there are: a uniform level is
-/// represented by a small grid of the same cells.
-SplineSpace representative(const SplineSpace& space) {
-  constexpr int sample = 24;
-  const auto brief = [&](const SplineBasis& b) {
+/// Largest eigenvalues of diag(E)^-1 E on levels of an energy with constant coefficients. They depend on the shape of
+/// the cells and the ends, not on how many cells there are: a uniform level is represented by a small grid of the same
+/// cells, and where all derivatives have the same order, by one of any size of cells.
+class Bounds {
+public:
+  explicit Bounds(const Energy& energy) : energy_(energy) {
+    const auto order = [](const Energy::Term& t) { return t.x_order + t.y_order; };
+    const auto& terms = energy.terms();
+    homogeneous_ = std::all_of(terms.begin(), terms.end(), [&](const auto& t) { return order(t) == order(terms[0]); });
+  }
+
+  double of(const SplineSpace& space) {
+    if (!is_brief(space.x) || !is_brief(space.y)) return largest_eigenvalue(Operator(energy_, represented(space)));
+    const double shape = cell_length(space.x, space.hx) / cell_length(space.y, space.hy);
+    if (!homogeneous_ || known_shape_ == 0 || std::abs(shape / known_shape_ - 1) > 1e-9) {
+      known_ = largest_eigenvalue(Operator(energy_, represented(space)));
+      known_shape_ = shape;
+    }
+    return known_;
+  }
+
+private:
+  static constexpr int sample = 24;
+
+  /// True if a small grid can stand for this direction.
+  static bool is_brief(const SplineBasis& b) {
     const auto points = b.interval().breakpoints();
     const bool uniform = points.back() - points[points.size() - 2] == b.interval().regular_cell();
     return uniform && b.interval().cells() > sample;
-  };
-  SplineSpace result = space;
-  if (brief(space.x)) {
-    result.x = SplineBasis(Interval(0, 1, sample), space.x.degree(), space.x.ends());
-    result.hx = cell_length(space.x, space.hx);
   }
-  if (brief(space.y)) {
-    result.y = SplineBasis(Interval(0, 1, sample), space.y.degree(), space.y.ends());
-    result.hy = cell_length(space.y, space.hy);
+
+  static SplineSpace represented(const SplineSpace& space) {
+    SplineSpace result = space;
+    if (is_brief(space.x)) {
+      result.x = space.x.on(Interval(0, 1, sample), space.x.ends());
+      result.hx = cell_length(space.x, space.hx);
+    }
+    if (is_brief(space.y)) {
+      result.y = space.y.on(Interval(0, 1, sample), space.y.ends());
+      result.hy = cell_length(space.y, space.hy);
+    }
+    return result;
   }
-  return result;
-}
+
+  const Energy& energy_;
+  bool homogeneous_ = false;
+  double known_shape_ = 0, known_ = 0;  // of the latest uniform level
+};
 
 }  // namespace
 
@@ -83,8 +111,8 @@ SplineSpace finest_space(const Rectangle& region, int degree, const Normalisatio
                        std::to_string(region.y.cells()));
   const double width = region.x.length(), height = region.y.length() * normalisation.aspect;
   const double side = std::max(width, height);
-  return {SplineBasis(region.x, degree, ends.x), SplineBasis(region.y, degree, ends.y),
-          width / side / region.x.finest_cells(), height / side / region.y.finest_cells()};
+  const SplineBasis x(region.x, degree, ends.x);
+  return {x, x.on(region.y, ends.y), width / side / region.x.finest_cells(), height / side / region.y.finest_cells()};
 }
 
 Hierarchy::Hierarchy(const Energy& energy, const Rectangle& region, int degree, const Normalisation& normalisation,
@@ -104,9 +132,10 @@ Hierarchy::Hierarchy(SymmetricStencil energy, const Rectangle& region, int degre
 }
 
 void Hierarchy::build(SplineSpace space, Operator energy) {
+  std::optional<Bounds> bounds;
+  if (energy_) bounds.emplace(*energy_);
   for (;;) {
-    const double bound =
-        energy_ ? largest_eigenvalue(Operator(*energy_, representative(space))) : largest_eigenvalue(energy);
+    const double bound = bounds ? bounds->of(space) : largest_eigenvalue(energy);
     levels_.push_back({space, std::move(energy), bound, {}, {}});
     const auto coarsen = choose_coarsening(space);
     if (!coarsen.x && !coarsen.y) return;

@@ -10,8 +10,9 @@
 namespace batten {
 namespace {
 
-const std::vector<Energy> energies = {Energy::conduction(1.3, 0.4),
-                                      Energy::plate({.rigidity = 2, .poisson_ratio = 0.3, .tension = 0.7, .foundation = 0.2})};
+const std::vector<Energy> energies = {
+    Energy::conduction(1.3, 0.4),
+    Energy::plate({.rigidity = 2, .poisson_ratio = 0.3, .tension = 0.7, .foundation = 0.2})};
 
 TEST(DifferenceForm, is_the_operator) {
   for (const auto& energy : energies)
