@@ -128,4 +128,12 @@ std::vector<double> BoundarySystem::whole(std::span<const double> v) const {
   return result;
 }
 
+Operator whole_energy(const BoundaryProblem& problem) { return whole_energy(problem, 0); }
+
+Operator restricted_energy(const BoundaryProblem& problem) {
+  const auto space = finest_space(problem.region, problem.degree, {}, side_conditions(problem));
+  if (const auto energy = constant_energy(problem, 0)) return Operator(*energy, space);
+  return Operator(varying_energy(problem, 0).galerkin(restriction_of(space)));
+}
+
 }  // namespace batten

@@ -53,4 +53,8 @@ private:
   Multigrid multigrid_;
 };
 
+/// A of a problem, neither springs nor mass added: of all splines, and of those that keep the side conditions.
+Operator whole_energy(const BoundaryProblem& problem);
+Operator restricted_energy(const BoundaryProblem& problem);
+
 }  // namespace batten
