@@ -30,7 +30,8 @@ struct MarchResult {
 /// Heat: two stages of the method of order 2 that is L-stable, stiffly accurate and needs one operator only
 /// [Alexander 1977]; for these linear problems the same as TR-BDF2. Plates: the trapezoidal rule, that is Newmark's
 /// method with β = 1/4; each step keeps the balance of energy to rounding, so that undamped motion neither gains nor
-/// loses any. options.limits.accuracy is asked of each stage, in the energy norm and relative to the state.
+/// loses any; what changes within a step rings on, such as initial values that do not fit the supports.
+/// options.limits.accuracy is asked of each stage, in the energy norm and relative to the state.
 ///
 /// Throws InvalidInput unless 0 < step, 0 < end, damping >= 0, density > 0 and initial values are finite, and where a
 /// Poisson problem is given a velocity or damping; else as solve_boundary_problem does, but for loads that nothing
