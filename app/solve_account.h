@@ -43,6 +43,8 @@ struct SolveAccount {
   std::vector<Extremes> extremes;                ///< of a problem at rest
   std::vector<ModeAccount> modes;
   std::vector<FrameAccount> frames;
+  std::vector<std::string> notes;  ///< what the user should know, one line each
+  int cycles = 0;                  ///< V-cycles of modes and motion
   std::vector<std::string> files;  ///< all that were written
   std::vector<PhaseTime> seconds;  ///< of all phases, in order, and the total
 

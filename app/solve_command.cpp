@@ -3,6 +3,7 @@
 #include <batten/app/solve_command.h>
 #include <batten/app/solve_outputs.h>
 #include <batten/app/solve_work.h>
+#include <batten/app/solve_series.h>
 #include <batten/app/thread_count.h>
 #include <batten/app/usage_error.h>
 #include <batten/domains/errors.h>
@@ -48,6 +49,7 @@ void solve_at_rest(SolveWork& work) {
   if (const double asked = work.file.limits.accuracy; result.accuracy > asked)
     result.notes.push_back("the accuracy is " + number_text(result.accuracy, 2) + "; " + number_text(asked) +
                            " was asked for");
+  work.account.notes = result.notes;
   const auto& phases = result.seconds;
   work.account.seconds.insert(work.account.seconds.end(), phases.begin(), phases.end());
   work.watch.lap();
@@ -62,8 +64,7 @@ void check_arguments(const SolveArguments& arguments) {
 
 void print(const SolveAccount& account) {
   if (account.arguments->quiet) return;
-  if (account.result)
-    for (const std::string& text : account.result->notes) std::cerr << "batten: note: " << text << '\n';
+  for (const std::string& text : account.notes) std::cerr << "batten: note: " << text << '\n';
   std::cout << summary_of(account) << std::flush;
 }
 
@@ -84,9 +85,12 @@ void run_solve(const SolveArguments& arguments) {
   SolveWork work{arguments, file, progress, account};
   account.seconds.push_back({"read", total.lap()});
   double elapsed = account.seconds.back().seconds;
-  if (file.modes || file.motion)
-    throw InvalidInput(arguments.problem + ": [modes] and [time] cannot be solved yet");  // see solve_series.h
-  solve_at_rest(work);
+  if (file.modes)
+    solve_modes(work);
+  else if (file.motion)
+    solve_motion(work);
+  else
+    solve_at_rest(work);
   elapsed += total.lap();
   account.seconds.push_back({"total", elapsed});
   if (!arguments.report.empty()) {

@@ -82,7 +82,8 @@ Json report_json(const SolveAccount& account) {
   if (account.file->modes) json["modes"] = modes_json(account);
   if (account.file->motion) json["frames"] = frames_json(account);
   json["files"] = account.files;
-  json["notes"] = account.result ? account.result->notes : std::vector<std::string>();
+  if (!account.result) json["cycles"] = account.cycles;
+  json["notes"] = account.notes;
   Json seconds = Json::object();
   for (const PhaseTime& time : account.seconds) seconds[time.phase] = seconds.value(time.phase, 0.) + time.seconds;
   json["seconds"] = seconds;

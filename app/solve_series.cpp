@@ -18,7 +18,9 @@ std::string file_name(const std::string& path) { return std::filesystem::path(pa
 void solve_modes(SolveWork& work) {
   const SolveArguments& arguments = work.arguments;
   const int count = work.file.modes->count;
-  const std::vector<Mode> modes = vibration_modes(work.file.problem, count, work.file.modes->density, work.options());
+  const auto [modes, unknowns, iterations, cycles, seconds] =
+      vibration(work.file.problem, count, work.file.modes->density, work.options());
+  work.account.cycles = cycles;
   work.end_phase("modes");
   std::vector<CollectionEntry> series;
   std::vector<std::string> pictures;
@@ -58,7 +60,9 @@ void solve_motion(SolveWork& work) {
     work.account.frames.push_back({path, time, extremes_of(last, last.arrays.front())});
     work.progress.show("time " + number_text(time), time / motion.end);
   };
-  march(work.file.problem, motion, write_frame, work.options());
+  const MarchResult result = march(work.file.problem, motion, write_frame, work.options());
+  work.account.cycles = result.cycles;
+  work.account.notes = result.notes;
   work.end_phase("march and write");
   write_collection(collection_name(arguments.output), series);
   work.account.files.push_back(collection_name(arguments.output));

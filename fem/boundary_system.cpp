@@ -128,7 +128,11 @@ std::vector<double> BoundarySystem::whole(std::span<const double> v) const {
   return result;
 }
 
-Operator whole_energy(const BoundaryProblem& problem) { return whole_energy(problem, 0); }
+Operator whole_energy(const BoundaryProblem& problem) {
+  if (const auto energy = constant_energy(problem, 0))
+    return Operator(*energy, finest_space(problem.region, problem.degree));
+  return Operator(varying_energy(problem, 0));
+}
 
 Operator restricted_energy(const BoundaryProblem& problem) {
   const auto space = finest_space(problem.region, problem.degree, {}, side_conditions(problem));

@@ -3,6 +3,7 @@
 #include <batten/domains/number_text.h>
 #include <batten/fem/block_vectors.h>
 #include <batten/fem/boundary_system.h>
+#include <batten/fem/difference_form.h>
 #include <batten/fem/lowest_eigenpairs.h>
 #include <batten/fem/mass.h>
 #include <batten/fem/null_space.h>

@@ -31,7 +31,6 @@ class SolveSeries : public testing::Test {
 protected:
   void SetUp() override {
     if (!has_vtk) GTEST_SKIP() << "built without VTK";
-    GTEST_SKIP() << "the solver of modes and motion is not there yet";
   }
   Folder folder_;
 };
