@@ -207,9 +207,14 @@ std::array<Axis, 3> axes_of(const SceneBox& box, const ViewInput& view) {
   return {x, y, z};
 }
 
-// The floor and the two walls behind, with lines at the ticks.
-void draw_walls(vtkRenderer* renderer, const SceneBox& box, const std::array<Axis, 3>& axes) {
-  constexpr double line_grey = 0.85, edge_grey = 0.55;
+// The floor and the two walls behind, with lines at the ticks. They are drawn a little farther from the eye than they
+// are, so that they do not shine through a surface that lies on the floor.
+void draw_walls(vtkRenderer* renderer, const SceneBox& box, const std::array<Axis, 3>& axes,
+                const Perspective& perspective) {
+  constexpr double line_grey = 0.85, edge_grey = 0.55, recess = 0.005;
+  const auto farther = [&](const SceneLine& line) {
+    return SceneLine{perspective.nearer(line[0], -recess), perspective.nearer(line[1], -recess)};
+  };
   const double x = box.x, y = box.y, z = box.z;
   std::vector<SceneLine> lines;
   for (const Tick& tick : axes[0].ticks) {
@@ -224,14 +229,16 @@ void draw_walls(vtkRenderer* renderer, const SceneBox& box, const std::array<Axi
     const double at = axes[2].at(tick.value)[2];
     lines.insert(lines.end(), {{{{-x, -y, at}, {-x, y, at}}}, {{{-x, y, at}, {x, y, at}}}});
   }
+  std::ranges::transform(lines, lines.begin(), farther);
   add_lines(renderer, lines, {.width = 1, .grey = line_grey});
-  const std::array<SceneLine, 7> edges = {{{{{-x, -y, 0}, {-x, y, 0}}},
+  std::array<SceneLine, 7> edges = {{{{{-x, -y, 0}, {-x, y, 0}}},
                                            {{{-x, y, 0}, {x, y, 0}}},
                                            {{{-x, -y, z}, {-x, y, z}}},
                                            {{{-x, y, z}, {x, y, z}}},
                                            {{{-x, y, 0}, {-x, y, z}}},
                                            {{{x, y, 0}, {x, y, z}}},
                                            {{{-x, -y, 0}, {-x, -y, z}}}}};
+  std::ranges::transform(edges, edges.begin(), farther);
   add_lines(renderer, edges, {.width = 1, .grey = edge_grey});
 }
 
@@ -322,7 +329,7 @@ PlotArea draw_surface(ViewInput& view) {
   std::array<Axis, 3> axes = axes_of(box, view);
   const Perspective perspective = fitted_view(box, view, axes);
   const PlotArea plot = perspective.extent(box);
-  draw_walls(view.renderer, box, axes);
+  draw_walls(view.renderer, box, axes, perspective);
   set_lights(view.renderer);
   add_mesh(view.renderer, view.mesh, Shading::Lit);
   draw_points(view, scale, perspective, 0.5 * plot.width() * plot.height());
