@@ -12,11 +12,13 @@
 namespace batten {
 namespace {
 
-/// buffer[t][i] = Σ_q weights[t][q] in[q * stride + i]: the y part of all terms in one pass over the rows of the input.
+/// buffer[t][i] = Σ_q weights[t][q] in[q][from + i]: the y part of all terms in one pass over the rows of the input.
 template <int terms, int width>
-[[gnu::always_inline]] inline void combine_rows(const double* const* weights, const double* in, std::ptrdiff_t stride,
-                                                int n, double* const* buffer) {
+[[gnu::always_inline]] inline void combine_rows(const double* const* weights, const double* const* in, int from, int n,
+                                                double* const* buffer) {
   double w[terms][width];
+  const double* rows[width];
+  for (int q = 0; q < width; ++q) rows[q] = in[q] + from;
   for (int t = 0; t < terms; ++t)
     for (int q = 0; q < width; ++q) w[t][q] = weights[t][q];
   double* __restrict out0 = buffer[0];
@@ -26,7 +28,7 @@ template <int terms, int width>
   for (int i = 0; i < n; ++i) {
     double sum0 = 0, sum1 = 0, sum2 = 0;
     for (int q = 0; q < width; ++q) {
-      const double value = in[q * stride + i];
+      const double value = rows[q][i];
       sum0 += w[0][q] * value;
       if constexpr (terms > 1) sum1 += w[1][q] * value;
       if constexpr (terms > 2) sum2 += w[2][q] * value;
@@ -78,34 +80,34 @@ struct RowTask {
 };
 
 template <int terms>
-[[gnu::always_inline]] inline void dispatch_combine(int width, const RowTask& task, const double* in,
-                                                    std::ptrdiff_t stride, int n) {
+[[gnu::always_inline]] inline void dispatch_combine(int width, const RowTask& task, const double* const* in, int from,
+                                                    int n) {
   switch (width) {
     case 1:
-      return combine_rows<terms, 1>(task.y_weights.data(), in, stride, n, task.buffer.data());
+      return combine_rows<terms, 1>(task.y_weights.data(), in, from, n, task.buffer.data());
     case 2:
-      return combine_rows<terms, 2>(task.y_weights.data(), in, stride, n, task.buffer.data());
+      return combine_rows<terms, 2>(task.y_weights.data(), in, from, n, task.buffer.data());
     case 3:
-      return combine_rows<terms, 3>(task.y_weights.data(), in, stride, n, task.buffer.data());
+      return combine_rows<terms, 3>(task.y_weights.data(), in, from, n, task.buffer.data());
     case 4:
-      return combine_rows<terms, 4>(task.y_weights.data(), in, stride, n, task.buffer.data());
+      return combine_rows<terms, 4>(task.y_weights.data(), in, from, n, task.buffer.data());
     case 5:
-      return combine_rows<terms, 5>(task.y_weights.data(), in, stride, n, task.buffer.data());
+      return combine_rows<terms, 5>(task.y_weights.data(), in, from, n, task.buffer.data());
     case 6:
-      return combine_rows<terms, 6>(task.y_weights.data(), in, stride, n, task.buffer.data());
+      return combine_rows<terms, 6>(task.y_weights.data(), in, from, n, task.buffer.data());
     case 7:
-      return combine_rows<terms, 7>(task.y_weights.data(), in, stride, n, task.buffer.data());
+      return combine_rows<terms, 7>(task.y_weights.data(), in, from, n, task.buffer.data());
     case 9:
-      return combine_rows<terms, 9>(task.y_weights.data(), in, stride, n, task.buffer.data());
+      return combine_rows<terms, 9>(task.y_weights.data(), in, from, n, task.buffer.data());
     case 11:
-      return combine_rows<terms, 11>(task.y_weights.data(), in, stride, n, task.buffer.data());
+      return combine_rows<terms, 11>(task.y_weights.data(), in, from, n, task.buffer.data());
     default:
       break;
   }
   for (int t = 0; t < terms; ++t)
     for (int i = 0; i < n; ++i) {
       double sum = 0;
-      for (int q = 0; q < width; ++q) sum += task.y_weights[static_cast<std::size_t>(t)][q] * in[q * stride + i];
+      for (int q = 0; q < width; ++q) sum += task.y_weights[static_cast<std::size_t>(t)][q] * in[q][from + i];
       task.buffer[static_cast<std::size_t>(t)][i] = sum;
     }
 }
@@ -148,7 +150,8 @@ template <int terms, int period, int shift>
   }
 }
 
-/// Rows from .. to - 1 of the x part one by one; `input` is the column that the buffers start at.
+/// Rows from .. to - 1 of the x part one by one; `input` is the column that the buffers start at, `out` belongs to row
+/// `from`.
 template <int terms>
 [[gnu::always_inline]] inline void single_rows(const TensorSum::Term* term, const RowTask& task, int from, int to,
                                                int input, double* out) {
@@ -162,7 +165,7 @@ template <int terms>
       for (int q = 0; q < x.width; ++q) product += w[q] * in[q];
       sum += task.factors[t] * product;
     }
-    out[i] = sum;
+    out[i - from] = sum;
   }
 }
 
@@ -180,63 +183,69 @@ template <int terms>
     }
     bool done = false;
     if (x.period == 1 && x.shift == 1)
-      done = dispatch_repeat<terms, 1, 1>(x.width, task, in.data(), n, out + row);
+      done = dispatch_repeat<terms, 1, 1>(x.width, task, in.data(), n, out + (row - from));
     else if (x.period == 2 && x.shift == 1)
-      done = dispatch_repeat<terms, 2, 1>(x.width, task, in.data(), n, out + row);
+      done = dispatch_repeat<terms, 2, 1>(x.width, task, in.data(), n, out + (row - from));
     else if (x.period == 1 && x.shift == 2)
-      done = dispatch_repeat<terms, 1, 2>(x.width, task, in.data(), n, out + row);
+      done = dispatch_repeat<terms, 1, 2>(x.width, task, in.data(), n, out + (row - from));
     if (!done) return false;
   }
   return true;
 }
 
 template <int terms>
-[[gnu::always_inline]] inline void tensor_row(const TensorSum::Term* term, int j, const double* in, double* out,
-                                              RowTask& task) {
+[[gnu::always_inline]] inline void tensor_row(const TensorSum::Term* term, int j, const double* const* in,
+                                              ColumnRange columns, double* out, RowTask& task) {
   const auto& y = term[0].y;
   const auto& x = term[0].x;
   for (std::size_t t = 0; t < terms; ++t)
     task.y_weights[t] = term[t].y.weights.data() + static_cast<std::ptrdiff_t>(j) * y.width;
-  int width = y.width, skipped = 0;
+  int width = y.width;
   const auto vanishes = [&](int q) {
     return std::all_of(task.y_weights.begin(), task.y_weights.begin() + terms,
                        [q](const double* w) { return w[q] == 0; });
   };
   while (width > 1 && vanishes(width - 1)) --width;
-  for (; width > 1 && vanishes(0); --width, ++skipped)
+  for (; width > 1 && vanishes(0); --width, ++in)
     for (std::size_t t = 0; t < terms; ++t) ++task.y_weights[t];
-  in += static_cast<std::ptrdiff_t>(y.first[static_cast<std::size_t>(j)] + skipped) * x.columns;
   const int piece = piece_inputs / x.shift * x.period;
-  for (int from = 0, to = 0; from < x.rows; from = to) {
+  for (int from = columns.begin, to = 0; from < columns.end; from = to) {
     const bool repeat = from >= x.begin && from < x.end;
-    to = std::min(from + (repeat ? piece : piece_inputs / 4), repeat ? x.end : from < x.begin ? x.begin : x.rows);
+    to = std::min({from + (repeat ? piece : piece_inputs / 4),
+                   repeat           ? x.end
+                   : from < x.begin ? x.begin
+                                    : x.rows,
+                   columns.end});
     const int input = x.first[static_cast<std::size_t>(from)];
     const int inputs = x.first[static_cast<std::size_t>(to - 1)] + x.width - input;
-    dispatch_combine<terms>(width, task, in + input, x.columns, inputs);
-    if (!repeat || !repeating_rows<terms>(term, task, from, to, input, out))
-      single_rows<terms>(term, task, from, to, input, out);
+    dispatch_combine<terms>(width, task, in, input, inputs);
+    if (!repeat || !repeating_rows<terms>(term, task, from, to, input, out + (from - columns.begin)))
+      single_rows<terms>(term, task, from, to, input, out + (from - columns.begin));
   }
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void tensor_row_1(const TensorSum::Term* term, int j, const double* in, double* out, RowTask& task) {
-  tensor_row<1>(term, j, in, out, task);
+void tensor_row_1(const TensorSum::Term* term, int j, const double* const* in, ColumnRange columns, double* out,
+                  RowTask& task) {
+  tensor_row<1>(term, j, in, columns, out, task);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void tensor_row_2(const TensorSum::Term* term, int j, const double* in, double* out, RowTask& task) {
-  tensor_row<2>(term, j, in, out, task);
+void tensor_row_2(const TensorSum::Term* term, int j, const double* const* in, ColumnRange columns, double* out,
+                  RowTask& task) {
+  tensor_row<2>(term, j, in, columns, out, task);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void tensor_row_3(const TensorSum::Term* term, int j, const double* in, double* out, RowTask& task) {
-  tensor_row<3>(term, j, in, out, task);
+void tensor_row_3(const TensorSum::Term* term, int j, const double* const* in, ColumnRange columns, double* out,
+                  RowTask& task) {
+  tensor_row<3>(term, j, in, columns, out, task);
 }
 
 void check_shapes(const std::vector<TensorSum::Term>& terms) {
@@ -267,16 +276,30 @@ TensorSum::TensorSum(std::vector<Term> terms) : terms_(std::move(terms)) {
   }
 }
 
-void TensorSum::row(int j, const double* in, double* out) const {
+void TensorSum::row(int j, const double* const* in, ColumnRange columns, double* out) const {
   std::array<double, static_cast<std::size_t>(max_terms * buffer_size)> buffers;
   RowTask task{};
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     task.buffer[t] = buffers.data() + t * static_cast<std::size_t>(buffer_size);
     task.factors[t] = terms_[t].factor;
   }
-  if (terms_.size() == 1) return tensor_row_1(terms_.data(), j, in, out, task);
-  if (terms_.size() == 2) return tensor_row_2(terms_.data(), j, in, out, task);
-  tensor_row_3(terms_.data(), j, in, out, task);
+  if (terms_.size() == 1) return tensor_row_1(terms_.data(), j, in, columns, out, task);
+  if (terms_.size() == 2) return tensor_row_2(terms_.data(), j, in, columns, out, task);
+  tensor_row_3(terms_.data(), j, in, columns, out, task);
+}
+
+void TensorSum::row(int j, const double* in, double* out) const {
+  std::array<const double*, 16> table;
+  std::vector<const double*> long_table;
+  const auto width = static_cast<std::size_t>(band_height());
+  const double** rows = table.data();
+  if (width > table.size()) {
+    long_table.resize(width);
+    rows = long_table.data();
+  }
+  for (std::size_t q = 0; q < width; ++q)
+    rows[q] = in + (first_row(j) + static_cast<std::ptrdiff_t>(q)) * input_columns();
+  row(j, rows, {0, output_columns()}, out);
 }
 
 void TensorSum::apply(std::span<const double> in, std::span<double> out) const {

@@ -8,6 +8,11 @@
 
 namespace batten {
 
+/// Columns begin .. end - 1 of a grid.
+struct ColumnRange {
+  int begin = 0, end = 0;
+};
+
 /// Σ_t factor_t Y_t ⊗ X_t: a sum of Kronecker products of banded matrices, acting on grids of coefficients (x fastest).
 ///
 /// Energies, refinement, restriction and sampling of tensor-product splines all have this form; it is never assembled.
@@ -34,6 +39,12 @@ public:
   /// Row j of the result for the input grid: writes output_columns() numbers to `out`. Rows of the input whose weights
   /// vanish at the ends of the band are not read. Allocates nothing; one thread.
   void row(int j, const double* in, double* out) const;
+  /// The same for some columns of the result, where the rows of the input need not lie one after another: in[q] is
+  /// input row first_row(j) + q, and out[0] belongs to column columns.begin.
+  void row(int j, const double* const* in, ColumnRange columns, double* out) const;
+  /// The first of the band_height() rows of the input that row j of the result takes in.
+  int first_row(int j) const { return terms_.front().y.first[static_cast<std::size_t>(j)]; }
+  int band_height() const { return terms_.front().y.width; }
   /// out = (this) in; all threads, the same bits for every thread count.
   void apply(std::span<const double> in, std::span<double> out) const;
 

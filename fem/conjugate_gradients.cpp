@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace batten {
 namespace {
@@ -171,6 +172,55 @@ double predict(const Multigrid& system, std::span<const double> b, std::span<dou
   return work;
 }
 
+// A V-cycle that leaves more of the error than `slow` converges better within conjugate gradients; where one leaves
+// more than `standstill` although the one before was not slow, what remains is rounding.
+constexpr double slow = 0.25, standstill = 0.5;
+
+struct CyclesResult {
+  IterationResult spent;
+  bool is_slow = false;
+};
+
+/// V-cycles one after another, c += B (b - A c), each of which also measures the error that it finds. They need neither
+/// the vectors of conjugate gradients nor the time to move them. Stops where they converge slowly.
+CyclesResult repeat_cycles(const StreamedCycle& cycle, std::span<const double> b, std::span<double> c,
+                           const IterationLimits& limits, double scale) {
+  CyclesResult result;
+  auto& [iterations, accuracy] = result.spent;
+  double before = 0, ratio = 0;
+  do {
+    const double error = cycle.improve_unless(limits.accuracy * scale, b, c);
+    const double last_ratio = std::exchange(ratio, before > 0 ? error / before : 0);
+    before = error;
+    ++iterations;
+    accuracy = scale > 0 ? error / scale : 0;
+    result.is_slow = ratio > slow && !(ratio > standstill && last_ratio < slow);
+  } while (accuracy > limits.accuracy && ratio <= slow && iterations < limits.most_iterations);
+  return result;
+}
+
+/// Full multigrid, then V-cycles, then conjugate gradients where those are too slow.
+IterationResult solve_streamed(const Multigrid& system, std::span<const double> b, std::span<double> c,
+                               IterationLimits limits, double scale) {
+  const auto& cycle = *system.streamed();
+  double before = 0;
+  if (is_zero(c)) {
+    cycle.solve_by_levels(b, c);
+    before = cycle.work_by_levels();
+    if (scale == 0) scale = std::sqrt(std::max(0., dot(b, c)));
+  } else if (scale == 0) {
+    scale = energy_size(system, b);
+  }
+  auto [result, is_slow] = repeat_cycles(cycle, b, c, limits, scale);
+  if (is_slow && result.accuracy > limits.accuracy && result.iterations < limits.most_iterations) {
+    limits.most_iterations -= result.iterations;
+    const auto more = iterate({system, 0}, b, c, limits, scale);
+    result = {result.iterations + more.iterations, more.accuracy};
+  }
+  result.iterations += static_cast<int>(std::ceil(before));
+  return result;
+}
+
 }  // namespace
 
 double energy_size(const Multigrid& system, std::span<const double> b) {
@@ -180,6 +230,7 @@ double energy_size(const Multigrid& system, std::span<const double> b) {
 
 IterationResult solve(const Multigrid& system, std::span<const double> b, std::span<double> c,
                       const IterationLimits& limits, double scale) {
+  if (system.streamed() && !system.null_projection()) return solve_streamed(system, b, c, limits, scale);
   double before = 0;
   if (!is_zero(c)) {
     if (scale == 0) scale = energy_size(system, b);
@@ -191,6 +242,12 @@ IterationResult solve(const Multigrid& system, std::span<const double> b, std::s
   result.iterations += static_cast<int>(std::ceil(before));
   if (system.null_projection()) system.null_projection()->set_component(b, c);
   return result;
+}
+
+void solve_by_levels(const Multigrid& system, std::span<const double> b, std::span<double> c) {
+  if (system.streamed()) return system.streamed()->solve_by_levels(b, c);
+  std::fill(c.begin(), c.end(), 0.);
+  solve(system, b, c, {.accuracy = 0, .most_iterations = 1});
 }
 
 }  // namespace batten

@@ -20,13 +20,14 @@ constexpr double largest_predicted_stiffness = 1e8;
 
 Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
     : hierarchy_(&hierarchy),
+      streams_(points.size() == 0 && !hierarchy.finest().energy.stencil()),
       vectors_(static_cast<std::size_t>(hierarchy.size())),
       degree_(smoothing_degree(hierarchy.degree())),
       repeats_(hierarchy.finest().energy.stencil() != nullptr) {
   for (int k = 0; k < hierarchy.size(); ++k) {
     const std::size_t n = hierarchy[k].space.size();
     levels_.emplace_back(hierarchy[k], points, k + 1 == hierarchy.size());
-    work_.emplace_back(n);
+    work_.emplace_back(streams_ ? 0 : n);
     repeat_.push_back(repeats_ && k > 0 ? Repeat{std::vector<double>(n), std::vector<double>(n)} : Repeat{});
   }
 }
@@ -64,6 +65,7 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
       levels_[k].set(lambda, w, Smoother::Kind::Plain);
   }
   factor_coarsest();
+  if (streams_) streamed_.emplace(*hierarchy_, degree_, lambda, *coarsest_);
   can_predict_ = levels_.size() > 1 && !data_aware_ && finest.stiffness() < largest_predicted_stiffness;
   null_projection_.reset();
   if (lambda > very_large_lambda)
@@ -105,9 +107,13 @@ void Multigrid::precondition(std::span<const double> r, std::vector<double>& out
     null_projection_->project_transposed(out);
     r = out;
   }
-  cycle(level, r);
   out.resize(size(level));
-  std::swap(out, work_[level].x);
+  if (streamed_) {
+    streamed_->improve(level, {}, r, out);
+  } else {
+    cycle(level, r);
+    std::swap(out, work_[level].x);
+  }
   if (project) null_projection_->project(out);
 }
 

@@ -3,7 +3,9 @@
 
 #include <batten/fem/null_projection.h>
 #include <batten/fem/smoother.h>
+#include <batten/fem/streamed_cycle.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,7 +19,8 @@ namespace batten {
 /// Transfers are B-spline refinement. The energy on coarse levels is exact. Where the data are stiff compared with the
 /// energy, the finest level smooths data-aware and each coarser level sees its points on springs in series, 1/w_i <-
 /// 1/w_i + comp_i with the compliance of the level above: what a point asks of a coarse function, the finer level can
-/// give by bending near that point. The number of iterations then depends neither on λ nor on the size.
+/// give by bending near that point. The number of iterations then depends neither on λ nor on the size. Without points
+/// and with constant coefficients the V-cycle is the one of StreamedCycle.
 class Multigrid {
 public:
   /// Both are kept by reference and must outlive this object.
@@ -46,6 +49,9 @@ public:
   /// in the complement of the null space of the energy.
   void precondition(std::span<const double> r, std::vector<double>& out, std::size_t level = 0) const;
 
+  /// Set where the system is λ E with constant coefficients and nothing else.
+  const StreamedCycle* streamed() const { return streamed_ ? &*streamed_ : nullptr; }
+
   /// The vectors of conjugate gradients on a level, kept from solve to solve: to touch fresh memory takes as long as an
   /// iteration.
   struct Vectors {
@@ -63,8 +69,10 @@ private:
   bool can_be_data_aware() const;
 
   const Hierarchy* hierarchy_;
+  bool streams_;  // no points, constant coefficients
   std::vector<Smoother> levels_;
   std::optional<SparseCholesky> coarsest_;
+  std::optional<StreamedCycle> streamed_;
   std::optional<NullProjection> null_projection_;
   mutable std::vector<Smoother::Work> work_;
   mutable std::vector<Vectors> vectors_;

@@ -114,7 +114,8 @@ bool has_free_end(const SplineBasis& basis) {
 
 }  // namespace
 
-Operator::Operator(const Energy& energy, const SplineSpace& space) : products_(build_products(energy, space)) {
+Operator::Operator(const Energy& energy, const SplineSpace& space)
+    : order_(energy.order()), products_(build_products(energy, space)), inside_(EvenStencil::inside(*products_)) {
   if (energy.curvature() != 0 && has_free_end(space.y)) end_rows_ = build_end_rows(energy.curvature(), space);
 }
 
@@ -130,18 +131,45 @@ void Operator::row(int j, std::span<const double> c, double* out) const {
   for (std::size_t i = 0; i < more.size(); ++i) out[i] += more[i];
 }
 
+void Operator::row(int j, const double* const* c, ColumnRange columns, double* out) const {
+  products_->row(j, c, columns, out);
+  if (!end_rows_ || std::min(j, rows() - 1 - j) > 1) return;
+  std::vector<double> more(static_cast<std::size_t>(columns.end - columns.begin));
+  end_rows_->row(j, c, columns, more.data());
+  for (std::size_t i = 0; i < more.size(); ++i) out[i] += more[i];
+}
+
+void Operator::rough_row(int j, const double* const* c, ColumnRange columns, double* out) const {
+  if (inside_ && j >= inside_->rows().begin && j < inside_->rows().end) return inside_->row(c, columns, out);
+  row(j, c, columns, out);
+}
+
 void Operator::apply(std::span<const double> c, std::span<double> out) const {
   for_blocks(RowBlocks(rows(), columns()), [&](int begin, int end) {
     for (int j = begin; j < end; ++j) row(j, c, out.data() + static_cast<std::ptrdiff_t>(j) * columns());
   });
 }
 
-std::vector<double> Operator::diagonal() const {
-  std::vector<double> result(size());
+RepeatedRows Operator::diagonal_rows() const {
+  RowRange repeat;
+  if (products_) {
+    repeat = {2, rows() - 2};  // without the rows that Gaussian curvature adds to
+    for (const auto& term : products_->terms())
+      repeat = {std::max(repeat.begin, term.y.begin), std::min(repeat.end, term.y.end)};
+  }
+  RepeatedRows result(rows(), columns(), repeat);
   for_blocks(RowBlocks(rows(), columns()), [&](int begin, int end) {
     for (int j = begin; j < end; ++j)
-      for (int i = 0; i < columns(); ++i) result[static_cast<std::size_t>(j) * columns() + i] = entry(i, j, i, j);
+      for (int i = 0; i < columns() && !result.is_repeated(j); ++i) result.row(j)[i] = entry(i, j, i, j);
   });
+  return result;
+}
+
+std::vector<double> Operator::diagonal() const {
+  const RepeatedRows distinct = diagonal_rows();
+  std::vector<double> result;
+  result.reserve(size());
+  for (int j = 0; j < rows(); ++j) result.insert(result.end(), distinct.row(j), distinct.row(j) + columns());
   return result;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/bases/even_stencil.h>
+#include <batten/bases/repeated_rows.h>
 #include <batten/bases/spline_basis.h>
 #include <batten/bases/tensor_sum.h>
 #include <batten/fem/energy.h>
@@ -41,8 +43,21 @@ public:
 
   /// Row j of E c: writes columns() numbers to `out`. One thread.
   void row(int j, std::span<const double> c, double* out) const;
+  /// The same for some columns, where the rows of c need not lie one after another: c[q] is row first_row(j) + q, and
+  /// out[0] belongs to column columns.begin. Of constant coefficients only.
+  void row(int j, const double* const* c, ColumnRange columns, double* out) const;
+  /// Faster inside, but rounded as a stored matrix would be (EvenStencil): for corrections that later ones correct.
+  void rough_row(int j, const double* const* c, ColumnRange columns, double* out) const;
+  /// True if residuals need `row`: entries grow as fast as their sums cancel, h^-4 against 1, where derivatives are of
+  /// second order.
+  bool is_delicate() const { return order_ > 1; }
+  int first_row(int j) const { return products_->first_row(j); }
+  int band_height() const { return products_->band_height(); }
+
   /// out = E c; all threads, the same bits for every thread count.
   void apply(std::span<const double> c, std::span<double> out) const;
+  /// Diagonal entries E_ii, as a grid.
+  RepeatedRows diagonal_rows() const;
   /// Diagonal entries E_ii.
   std::vector<double> diagonal() const;
   /// Entry of coefficients (i, j) and (k, l).
@@ -51,8 +66,10 @@ public:
   const SymmetricStencil* stencil() const { return products_ ? nullptr : &stencil_; }
 
 private:
+  int order_ = 0;
   std::optional<TensorSum> products_;
-  std::optional<TensorSum> end_rows_;  // what Gaussian curvature adds to the first and last rows
+  std::optional<EvenStencil> inside_;  // of products_
+  std::optional<TensorSum> end_rows_;  // what Gaussian curvature adds to the two first and last rows
   SymmetricStencil stencil_;
 };
 

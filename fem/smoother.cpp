@@ -54,7 +54,7 @@ Eigen::SparseMatrix<double> from_columns(int size, std::vector<int>& starts, std
 Smoother::Smoother(const Hierarchy::Level& level, const GridPoints& points, bool stored)
     : level_(&level),
       data_(level.space, points, stored),
-      energy_diagonal_(level.energy.diagonal()),
+      energy_diagonal_(level.energy.diagonal_rows()),
       row_sums_(static_cast<std::size_t>(level.space.y.size())) {}
 
 void Smoother::set(double lambda, std::span<const double> weights, Kind kind) {
@@ -70,29 +70,43 @@ void Smoother::set_from_finer(const Smoother& finer) {
   set_diagonal(Kind::Plain);
 }
 
+/// visit(i, D_i) for all coefficients.
+template <typename Visit>
+void Smoother::for_energy_diagonal(Visit&& visit) const {
+  const int n = level_->energy.columns();
+  for (int j = 0; j < level_->energy.rows(); ++j) {
+    const double* diagonal = energy_diagonal_.row(j);
+    for (int i = 0; i < n; ++i)
+      visit(static_cast<std::size_t>(j) * n + static_cast<std::size_t>(i), lambda_ * level_->bound * diagonal[i]);
+  }
+}
+
 /// D, plus the lumped data B^T w = (B^T W B) 1 where they are not to be inverted exactly.
 void Smoother::set_diagonal(Kind kind) {
   points_factor_.reset();
   grid_factor_.reset();
+  if (kind == Kind::Plain && data_.size() == 0 && !level_->energy.stencil()) return;  // StreamedSmoother has its own
   inverse_diagonal_.assign(size(), 0.);
   if (kind == Kind::Plain && data_.is_stored())
     data_.stencil().add_product(1, std::vector<double>(size(), 1.), inverse_diagonal_);
   else if (kind == Kind::Plain)
     data_.add_adjoint(data_.weights(), inverse_diagonal_);
-  for (std::size_t i = 0; i < size(); ++i)
-    inverse_diagonal_[i] = inverse_or_zero(inverse_diagonal_[i] + lambda_ * level_->bound * energy_diagonal_[i]);
+  for_energy_diagonal(
+      [this](std::size_t i, double d) { inverse_diagonal_[i] = inverse_or_zero(inverse_diagonal_[i] + d); });
 }
 
 std::vector<double> Smoother::compliance() const {
+  if (data_.size() == 0) return {};
   std::vector<double> ones(data_.size(), 1.), sum(size()), result(data_.size());
   data_.add_adjoint(ones, sum);
-  for (std::size_t i = 0; i < size(); ++i) sum[i] *= inverse_or_zero(lambda_ * level_->bound * energy_diagonal_[i]);
+  for_energy_diagonal([&](std::size_t i, double d) { sum[i] *= inverse_or_zero(d); });
   data_.values(sum, result);
   return result;
 }
 
 double Smoother::stiffness() const {
-  return lambda_ * *std::max_element(energy_diagonal_.begin(), energy_diagonal_.end()) * static_cast<double>(size());
+  const auto& entries = energy_diagonal_.values();
+  return lambda_ * *std::max_element(entries.begin(), entries.end()) * static_cast<double>(size());
 }
 
 // K_ij = δ_ij / w_i + Σ_c b_i[c] b_j[c] / D_c over the coefficients that points i and j share.

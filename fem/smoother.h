@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/bases/repeated_rows.h>
 #include <batten/fem/data_term.h>
 #include <batten/fem/hierarchy.h>
 #include <batten/fem/sparse_cholesky.h>
@@ -74,13 +75,15 @@ private:
   void add_exact(double gain, std::vector<double>& z, std::vector<double>& buffer, Work& work) const;
   void precondition(std::span<const double> r, std::span<double> out) const;
   void set_diagonal(Kind kind);
+  template <typename Visit>
+  void for_energy_diagonal(Visit&& visit) const;
   void factor_points();
   void factor_grid();
 
   const Hierarchy::Level* level_;
   DataTerm data_;
   double lambda_ = 1;
-  std::vector<double> energy_diagonal_;          // diag(E)
+  RepeatedRows energy_diagonal_;                 // diag(E)
   std::vector<double> inverse_diagonal_;         // of D, or of D + diag(B^T w)
   std::optional<SparseCholesky> points_factor_;  // of K
   std::optional<SparseCholesky> grid_factor_;    // of M, where points outnumber coefficients

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// Boundary value problems: the time of full multigrid to the error of the discretisation and of solves to 1e-10,
+// against the memory's; memory; iterations by size, and where coefficients jump. A membrane of degree 1 with known
+// harmonic values on its sides, and a clamped plate of degree 3 with a known solution.
+#include <batten/bench/support/report.h>
+#include <batten/bench/support/test_surface.h>
+#include <batten/bench/support/timing.h>
+#include <batten/bench/support/triad.h>
+#include <batten/fem/boundary_solver.h>
+#include <batten/fem/boundary_system.h>
+#include <batten/fem/conjugate_gradients.h>
+#include <batten/fem/load_vector.h>
+
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace batten {
+namespace {
+
+using Vector = std::vector<double>;
+
+constexpr double pi = std::numbers::pi;
+constexpr double accuracy = 1e-10;
+constexpr double prototype_levels = 3, prototype_solve = 7, prototype_triad = 44;  // ns per unknown, GB/s
+
+// u = sin πx sin πy
+double half_wave(double x) { return std::sin(pi * x); }
+
+BoundaryProblem membrane(int cells) {
+  const auto side = Side::fixed();
+  BoundaryProblem problem{Conduction{}, unit_square(cells, cells), 1, {side, side, side, side}, {}, {}};
+  problem.loads.area = Field::Function([](double x, double y) { return 2 * pi * pi * half_wave(x) * half_wave(y); });
+  return problem;
+}
+
+// w = X(x) X(y) with X = x² (1 - x)²
+double clamped_beam(double x) { return x * x * (1 - x) * (1 - x); }
+double its_second_derivative(double x) { return 2 - 12 * x + 12 * x * x; }
+
+BoundaryProblem plate(int cells) {
+  const auto side = Side::clamped();
+  BoundaryProblem problem{KirchhoffPlate{}, unit_square(cells, cells), 3, {side, side, side, side}, {}, {}};
+  problem.loads.area = Field::Function([](double x, double y) {
+    return 24 * (clamped_beam(x) + clamped_beam(y)) + 2 * its_second_derivative(x) * its_second_derivative(y);
+  });
+  return problem;
+}
+
+/// A problem in its discrete form.
+struct Discrete {
+  BoundarySystem system;
+  Vector b;
+
+  explicit Discrete(const BoundaryProblem& problem) : system(problem), b(system.restricted(load_vector(problem))) {}
+};
+
+/// L2 error of a membrane's nodal values v, by two Gauss points in each cell and direction.
+double membrane_error(const Vector& v) {
+  const auto n = static_cast<std::ptrdiff_t>(std::sqrt(static_cast<double>(v.size())) + 0.5), cells = n - 1;
+  const std::array at = {0.5 - std::sqrt(1. / 12), 0.5 + std::sqrt(1. / 12)};
+  Vector wave;
+  for (std::ptrdiff_t i = 0; i < cells; ++i)
+    for (const double t : at) wave.push_back(half_wave((static_cast<double>(i) + t) / static_cast<double>(cells)));
+  double sum = 0;
+#pragma omp parallel for reduction(+ : sum)
+  for (std::ptrdiff_t k = 0; k < cells * cells * 4; ++k) {
+    const std::ptrdiff_t i = k / 2 % cells, j = k / (4 * cells);
+    const auto a = static_cast<std::size_t>(k % 2), b = static_cast<std::size_t>(k / (2 * cells) % 2);
+    const double* u = v.data() + j * n + i;
+    const double value =
+        (1 - at[b]) * ((1 - at[a]) * u[0] + at[a] * u[1]) + at[b] * ((1 - at[a]) * u[n] + at[a] * u[n + 1]);
+    const double error = value - wave[static_cast<std::size_t>(2 * i) + a] * wave[static_cast<std::size_t>(2 * j) + b];
+    sum += error * error;
+  }
+  return std::sqrt(sum / 4) / static_cast<double>(cells);
+}
+
+/// Relative error of the plate in the energy norm, from |w - w_h|² = |w|² - |w_h|² where that is well above rounding,
+/// by its order h² elsewhere.
+double plate_error(int cells) {
+  constexpr int sample = 128;
+  const Discrete d(plate(sample));
+  Vector c(d.b.size());
+  solve(d.system.multigrid(), d.b, c, {.accuracy = 1e-12});
+  const double exact =
+      2 * 0.8 / 630 + 2 * std::pow(2. / 105, 2);  // ∫∫ (Δw)², by ∫ X''² = 4/5, ∫ X² = 1/630, ∫ X' ²= 2/105
+  const double found = std::inner_product(c.begin(), c.end(), d.b.begin(), 0.);
+  return std::sqrt(std::abs(1 - found / exact)) * std::pow(double(sample) / cells, 2);
+}
+
+double peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024. * static_cast<double>(usage.ru_maxrss);
+}
+
+/// Peak memory of the process so far: each problem is larger than what came before.
+void measure_memory(Report& report) {
+  report.table("peak memory of the process, bytes for each unknown", {"problem", "system", "whole library call"});
+  const auto row = [&](const std::string& name, const BoundaryProblem& problem) {
+    double unknowns = 0, system = 0;
+    {
+      const Discrete d(problem);
+      Vector c(d.b.size());
+      solve(d.system.multigrid(), d.b, c, {.accuracy = accuracy});
+      unknowns = static_cast<double>(c.size());
+      system = peak_bytes() / unknowns;
+    }
+    const auto result = solve_boundary_problem(problem);
+    report.row({name, system, peak_bytes() / unknowns});
+    report.at_most("bytes for each unknown, right-hand side and solution included, " + name, 100, system);
+  };
+  row("plate, 1024^2", plate(1024));
+  row("membrane, 4096^2", membrane(4096));
+}
+
+/// Nanoseconds for each unknown.
+struct Cost {
+  double levels = 0, solve = 0;
+  IterationResult result;
+};
+
+Cost time_solves(const Discrete& d, Vector& c, int repeats) {
+  const auto& multigrid = d.system.multigrid();
+  const double unit = 1e9 / static_cast<double>(c.size());
+  Cost cost;
+  cost.levels = unit * least_seconds(repeats, [&] { solve_by_levels(multigrid, d.b, c); });
+  cost.solve = unit * least_seconds(repeats, [&] {
+                 std::fill(c.begin(), c.end(), 0.);
+                 cost.result = solve(multigrid, d.b, c, {.accuracy = accuracy});
+               });
+  return cost;
+}
+
+/// Nanoseconds for each unknown to write and read two vectors ten times.
+double time_of_ten(Vector a, Vector b) {
+  const auto n = static_cast<std::ptrdiff_t>(a.size());
+  volatile double sink = 0;
+  const double seconds = least_seconds(3, [&] {
+    for (int k = 0; k < 10; ++k) {
+      double sum = 0;
+      double *pa = a.data(), *pb = b.data();
+#pragma omp parallel for simd schedule(static)
+      for (std::ptrdiff_t i = 0; i < n; ++i) pa[i] = pb[i] = k;
+#pragma omp parallel for simd schedule(static) reduction(+ : sum)
+      for (std::ptrdiff_t i = 0; i < n; ++i) sum += pa[i] + pb[i];
+      sink = sum;
+    }
+  });
+  return 1e9 * seconds / static_cast<double>(n);
+}
+
+const std::vector<std::string> columns = {
+    "cells", "levels, ns", "1e-10, ns", "iterations", "accuracy", "triad, GB/s", "error / discretisation's"};
+
+void measure_plates(Report& report, Triad& triad) {
+  report.table("clamped plate, degree 3: time for each unknown of full multigrid and of a solve", columns);
+  for (const int cells : {256, 512, 1024, 2048}) {
+    const Discrete d(plate(cells));
+    Vector c(d.b.size());
+    const Cost cost = time_solves(d, c, cells > 1024 ? 4 : 8);
+    solve_by_levels(d.system.multigrid(), d.b, c);
+    const double scale = std::sqrt(std::inner_product(c.begin(), c.end(), d.b.begin(), 0.));
+    const double left = d.system.multigrid().streamed()->improve_unless(0, d.b, c) / scale;
+    const double ratio = std::hypot(1, left / plate_error(cells)), bandwidth = 1e-9 * triad.bytes_per_second();
+    const std::string size = std::to_string(cells) + "^2";
+    report.row({size, cost.levels, cost.solve, cost.result.iterations, cost.result.accuracy, bandwidth, ratio});
+    if (cells < 1024) continue;
+    report.at_most("plate " + size + ": ns to the error of the discretisation, triad of 40 GB/s", 40,
+                   cost.levels * bandwidth / 40);
+    report.at_most("plate " + size + ": ns to 1e-10, triad of 40 GB/s", 120, cost.solve * bandwidth / 40);
+    report.at_most("plate " + size + ": error of full multigrid over the discretisation's", 1.05, ratio);
+  }
+}
+
+void measure_membranes(Report& report, Triad& triad) {
+  report.table("membrane, degree 1: time for each unknown of full multigrid and of a solve", columns);
+  for (const int cells : {512, 1024, 2048, 4096}) {
+    const Discrete d(membrane(cells));
+    Vector c(d.b.size());
+    const Cost cost = time_solves(d, c, 6);
+    const double bandwidth = 1e-9 * triad.bytes_per_second();
+    const double exact = membrane_error(c);
+    solve_by_levels(d.system.multigrid(), d.b, c);
+    const double ratio = membrane_error(c) / exact;
+    const std::string size = std::to_string(cells) + "^2";
+    report.row({size, cost.levels, cost.solve, cost.result.iterations, cost.result.accuracy, bandwidth, ratio});
+    if (cells < 4096) continue;
+    report.at_most("membrane: error of full multigrid over the discretisation's", 1.05, ratio);
+    report.at_most("membrane: full multigrid over writing and reading two vectors ten times", 2.5,
+                   cost.levels / time_of_ten(c, d.b));
+    const double share = bandwidth / prototype_triad;
+    report.at_most("membrane: full multigrid over the prototype's", 1.5, cost.levels * share / prototype_levels);
+    report.at_most("membrane: solve to 1e-10 over the prototype's", 1.5, cost.solve * share / prototype_solve);
+  }
+}
+
+/// 8 x 8 fields of 1 and 1000.
+double checkerboard(double x, double y) {
+  return (static_cast<int>(8 * x) + static_cast<int>(8 * y)) % 2 == 0 ? 1 : 1000;
+}
+
+void measure_checkerboards(Report& report) {
+  report.table("iterations to 1e-10, 8 x 8 checkerboard of contrast 1000 and constant coefficients",
+               {"cells", "membrane", "constant", "plate", "constant"});
+  for (const int cells : {512, 1024, 2048}) {
+    const auto iterations = [](const BoundaryProblem& problem) {
+      const Discrete d(problem);
+      Vector c(d.b.size());
+      return solve(d.system.multigrid(), d.b, c, {.accuracy = accuracy}).iterations;
+    };
+    auto k = membrane(cells), rigidity = plate(cells);
+    std::get<Conduction>(k.material).k = Field::Function(checkerboard);
+    std::get<KirchhoffPlate>(rigidity.material).rigidity = Field::Function(checkerboard);
+    const int jumps = iterations(k), smooth = iterations(membrane(cells));
+    const int plate_jumps = iterations(rigidity), plate_smooth = iterations(plate(cells));
+    const std::string size = std::to_string(cells) + "^2";
+    report.row({size, jumps, smooth, plate_jumps, plate_smooth});
+    report.at_most("checkerboard " + size + ": iterations of the membrane over constant", 3, 1. * jumps / smooth);
+    report.at_most("checkerboard " + size + ": iterations of the plate over constant", 4,
+                   1. * plate_jumps / plate_smooth);
+  }
+}
+
+void measure(Report& report) {
+  report.note("threads", omp_get_max_threads());
+  measure_memory(report);
+  Triad triad;
+  measure_plates(report, triad);
+  measure_membranes(report, triad);
+  measure_checkerboards(report);
+}
+
+}  // namespace
+}  // namespace batten
+
+int main(int argc, char** argv) { return batten::run_benchmark(argc, argv, "boundary", batten::measure); }

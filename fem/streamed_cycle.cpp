@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <batten/fem/streamed_cycle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace batten {
+
+StreamedCycle::StreamedCycle(const Hierarchy& hierarchy, int steps, double lambda, const SparseCholesky& coarsest)
+    : hierarchy_(&hierarchy), coarsest_(&coarsest) {
+  for (int k = 0; k < hierarchy.size(); ++k) {
+    const std::size_t n = hierarchy[k].space.size();
+    const auto size = [n](bool used) { return std::vector<double>(used ? n : 0); };
+    levels_.push_back(
+        {StreamedSmoother(hierarchy[k], steps, lambda), size(k > 0), size(k + 1 < hierarchy.size()), size(k > 0)});
+  }
+}
+
+/// The first half of a cycle, which leaves `middle` and the solution x of the next coarser level. Returns r·Br if
+/// `measure` is set.
+double StreamedCycle::correct(std::size_t k, const StreamedSmoother::Start& start, std::span<const double> b,
+                              bool measure) const {
+  auto& coarse = levels_[k + 1];
+  double square = levels_[k].smoother.descend(start, b, levels_[k].middle, coarse.right, measure, rings_);
+  if (k + 2 < levels_.size()) {
+    square += correct(k + 1, {}, coarse.right, measure);
+    coarse.smoother.ascend(coarse.middle, levels_[k + 2].x, coarse.right, coarse.x, rings_);
+  } else {
+    improve(k + 1, {}, coarse.right, coarse.x);
+    if (measure) square += std::inner_product(coarse.x.begin(), coarse.x.end(), coarse.right.begin(), 0.);
+  }
+  return square;
+}
+
+void StreamedCycle::improve(std::size_t k, const StreamedSmoother::Start& start, std::span<const double> b,
+                            std::span<double> out) const {
+  if (k + 1 == levels_.size()) {
+    std::copy(b.begin(), b.end(), out.begin());
+    return coarsest_->solve(out);
+  }
+  correct(k, start, b, false);
+  levels_[k].smoother.ascend(levels_[k].middle, levels_[k + 1].x, b, out, rings_);
+}
+
+double StreamedCycle::improve_unless(double enough, std::span<const double> b, std::span<double> c) const {
+  if (levels_.size() == 1) {
+    improve(0, {}, b, c);
+    return 0;
+  }
+  const double error = std::sqrt(std::max(0., correct(0, {.given = c.data(), .coarse = nullptr}, b, true)));
+  if (error > enough) levels_[0].smoother.ascend(levels_[0].middle, levels_[1].x, b, c, rings_);
+  return error;
+}
+
+void StreamedCycle::solve_by_levels(std::span<const double> b, std::span<double> c) const {
+  const std::size_t last = levels_.size() - 1;
+  const auto right = [&](std::size_t k) { return k == 0 ? b : std::span<const double>(levels_[k].right); };
+  for (std::size_t k = 0; k < last; ++k)
+    (*hierarchy_)[static_cast<int>(k)].restriction->apply(right(k), levels_[k + 1].right);
+  for (std::size_t k = last + 1; k-- > 0;) {
+    const double* coarse = k < last ? levels_[k + 1].x.data() : nullptr;
+    improve(k, {.given = nullptr, .coarse = coarse}, right(k), k == 0 ? c : levels_[k].x);
+  }
+}
+
+double StreamedCycle::work_by_levels() const {
+  double sum = 0;
+  for (int k = 0; k < hierarchy_->size(); ++k) sum += static_cast<double>((*hierarchy_)[k].space.size());
+  return sum / static_cast<double>(hierarchy_->finest().space.size());
+}
+
+}  // namespace batten

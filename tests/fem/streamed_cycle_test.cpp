@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <batten/fem/conjugate_gradients.h>
+
+#include "../support/laws.h"
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+
+namespace batten {
+namespace {
+
+struct Trial {
+  Hierarchy hierarchy;
+  GridPoints none;
+  Multigrid system;
+
+  Trial(const Energy& energy, int nx, int ny, int degree, EndCondition end)
+      : hierarchy(energy, {Interval(0, 1, nx), Interval(0, double(ny) / nx, ny)}, degree, {}, {{end, end}, {end, end}}),
+        system(hierarchy, none) {
+    system.set(0.7, {});
+  }
+
+  Trial(int order, int nx, int ny, int degree)
+      : Trial(order == 1 ? Energy::membrane() : Energy::thin_plate(), nx, ny, degree,
+              order == 1 ? EndCondition::Zero : EndCondition::Clamped) {}
+
+  /// Random numbers, 0 where the ends take the function away.
+  std::vector<double> vector(unsigned seed) const {
+    auto v = test::random_vector(system.size(), seed);
+    const auto& s = hierarchy.finest().space;
+    for (int j = 0; j < s.y.size(); ++j)
+      for (int i = 0; i < s.x.size(); ++i)
+        if (s.x.is_removed(i) || s.y.is_removed(j)) v[static_cast<std::size_t>(j * s.x.size() + i)] = 0;
+    return v;
+  }
+};
+
+TEST(StreamedCycle, is_symmetric_and_positive_and_measures_itself) {
+  for (int degree : {1, 2, 3, 4, 5})
+    for (int order : {1, 2}) {
+      if (degree < order) continue;
+      const Trial t(order, 61, 48, degree);
+      ASSERT_TRUE(t.system.streamed());
+      const auto x = t.vector(1), y = t.vector(2);
+      std::vector<double> bx(x.size()), by(x.size()), c(x.size(), 0.);
+      t.system.precondition(x, bx);
+      t.system.precondition(y, by);
+      const double xx = test::dot(x, bx), yy = test::dot(y, by);
+      EXPECT_GT(xx, 0);
+      EXPECT_NEAR(test::dot(x, by), test::dot(y, bx), 1e-9 * std::sqrt(xx * yy)) << degree;
+      EXPECT_NEAR(t.system.streamed()->improve_unless(0, x, c), std::sqrt(xx), 1e-9 * std::sqrt(xx)) << degree;
+      for (std::size_t i = 0; i < c.size(); ++i) ASSERT_NEAR(c[i], bx[i], 1e-12 * std::sqrt(test::dot(bx, bx)));
+    }
+}
+
+TEST(StreamedCycle, solves_for_every_degree) {
+  for (int degree : {1, 2, 3, 4, 5})
+    for (int order : {1, 2}) {
+      if (degree < order) continue;
+      const Trial t(order, 250, 173, degree);
+      const auto exact = t.vector(3);
+      std::vector<double> b(exact.size()), c(exact.size(), 0.), e(exact.size()), ae(exact.size());
+      t.system.apply(exact, b);
+      const auto result = solve(t.system, b, c);
+      EXPECT_LE(result.iterations, degree < 4 ? 12 : 40) << degree << ' ' << order;
+      EXPECT_LE(result.accuracy, 1e-9);
+      for (std::size_t i = 0; i < e.size(); ++i) e[i] = c[i] - exact[i];
+      EXPECT_LE(std::sqrt(t.system.apply(e, ae)), 3e-9 * std::sqrt(test::dot(exact, b))) << degree << ' ' << order;
+    }
+}
+
+TEST(StreamedCycle, leaves_a_start_that_is_good_enough) {
+  const Trial t(1, 61, 48, 1);
+  const auto b = t.vector(4);
+  std::vector<double> c(b.size(), 0.);
+  solve_by_levels(t.system, b, c);
+  const auto before = c;
+  const double error = t.system.streamed()->improve_unless(1e300, b, c);
+  EXPECT_EQ(c, before);
+  EXPECT_EQ(t.system.streamed()->improve_unless(error / 2, b, c), error);
+  EXPECT_NE(c, before);
+}
+
+TEST(StreamedCycle, has_the_same_bits_for_every_thread_count) {
+  const int threads = omp_get_max_threads();
+  for (const auto& [order, degree] : {std::pair{1, 1}, {2, 3}}) {
+    const Trial t(order, 1100, 310, degree);
+    const auto b = t.vector(5);
+    std::vector<std::vector<double>> found;
+    for (int count : {1, 2, 3, 7}) {
+      omp_set_num_threads(count);
+      std::vector<double> c(b.size(), 0.);
+      solve(t.system, b, c);
+      found.push_back(c);
+    }
+    for (const auto& c : found) EXPECT_EQ(c, found.front()) << degree;
+  }
+  omp_set_num_threads(threads);
+}
+
+}  // namespace
+}  // namespace batten
