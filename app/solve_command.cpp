@@ -2,8 +2,8 @@
 #include <batten/app/problem_templates.h>
 #include <batten/app/solve_command.h>
 #include <batten/app/solve_outputs.h>
-#include <batten/app/solve_work.h>
 #include <batten/app/solve_series.h>
+#include <batten/app/solve_work.h>
 #include <batten/app/thread_count.h>
 #include <batten/app/usage_error.h>
 #include <batten/domains/errors.h>

@@ -232,12 +232,12 @@ void draw_walls(vtkRenderer* renderer, const SceneBox& box, const std::array<Axi
   std::ranges::transform(lines, lines.begin(), farther);
   add_lines(renderer, lines, {.width = 1, .grey = line_grey});
   std::array<SceneLine, 7> edges = {{{{{-x, -y, 0}, {-x, y, 0}}},
-                                           {{{-x, y, 0}, {x, y, 0}}},
-                                           {{{-x, -y, z}, {-x, y, z}}},
-                                           {{{-x, y, z}, {x, y, z}}},
-                                           {{{-x, y, 0}, {-x, y, z}}},
-                                           {{{x, y, 0}, {x, y, z}}},
-                                           {{{-x, -y, 0}, {-x, -y, z}}}}};
+                                     {{{-x, y, 0}, {x, y, 0}}},
+                                     {{{-x, -y, z}, {-x, y, z}}},
+                                     {{{-x, y, z}, {x, y, z}}},
+                                     {{{-x, y, 0}, {-x, y, z}}},
+                                     {{{x, y, 0}, {x, y, z}}},
+                                     {{{-x, -y, 0}, {-x, -y, z}}}}};
   std::ranges::transform(edges, edges.begin(), farther);
   add_lines(renderer, edges, {.width = 1, .grey = edge_grey});
 }
