@@ -31,7 +31,7 @@ lines = [{from = [0.6, 0.1], to = [0.9, 0.5], value = 0.5}]   # per length
 points = [{x = 0.5, y = 0.3, value = 0, radius = 0.02}]       # a peg
 # lines = [{from = [0.1, 0.5], to = [0.3, 0.5], value = 0}]
 
-[sides]                   # "free", "symmetry", "periodic" (on two opposite sides), {value = ...} or {normal = ...}
+[sides]                   # "free", "symmetry", {value = ...} or {normal = ...}
 left = {value = "y^2"}
 right = {normal = 1}      # the derivative along the outward normal
 bottom = {value = 0}
@@ -64,7 +64,7 @@ patches = [{x = [0.2, 0.4], y = [0.1, 0.3], q = 5}]
 points = [{x = 0.75, y = 0.45}]
 # lines = [{from = [0.5, 0.1], to = [0.5, 0.5], value = 0}]
 
-[sides]                   # "simply-supported", "clamped", "free", "symmetry", "periodic" (on two opposite sides),
+[sides]                   # "simply-supported", "clamped", "free", "symmetry",
 left = "clamped"          # {value = ...}, {normal = ...} or {value = ..., normal = ...}
 right = "simply-supported"
 bottom = "free"

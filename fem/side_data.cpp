@@ -129,6 +129,9 @@ double slope_step(const SplineBasis& across) {
 SpaceEnds side_conditions(const BoundaryProblem& problem) {
   const bool plate = problem.is_plate();
   const auto& s = problem.sides;
+  for (const Side* side : {&s.left, &s.right, &s.bottom, &s.top})
+    if (side->periodic)
+      throw InvalidInput("side_conditions: expected sides that are not periodic; those cannot be solved yet");
   return {{condition_of(s.left, plate), condition_of(s.right, plate)},
           {condition_of(s.bottom, plate), condition_of(s.top, plate)}};
 }

@@ -10,7 +10,7 @@
 namespace batten {
 
 /// What the sides ask of the homogeneous part of the solution: values are fixed strongly, normal derivatives of plates
-/// too, while those of Conduction are loads.
+/// too, while those of Conduction are loads. Throws InvalidInput for periodic sides, which cannot be solved yet.
 SpaceEnds side_conditions(const BoundaryProblem& problem);
 
 /// A spline that takes the data of the sides: coefficients in the whole spline space, x fastest.

@@ -341,6 +341,12 @@ TEST(BoundarySolver, refuses_loads_that_nothing_balances_and_says_by_how_much) {
       << refusal(problem);
 }
 
+TEST(BoundarySolver, refuses_periodic_sides) {
+  auto problem = membrane(8, 2, Side::fixed());
+  problem.sides.left = problem.sides.right = Side::repeated();
+  EXPECT_EQ(refusal(problem), "side_conditions: expected sides that are not periodic; those cannot be solved yet");
+}
+
 TEST(BoundarySolver, refuses_bare_points_in_membranes_and_supports_that_contradict_each_other) {
   auto problem = membrane(8, 2, Side::fixed());
   problem.supports.points = {{0.5, 0.5, 1}};
