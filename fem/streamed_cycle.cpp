@@ -12,8 +12,8 @@ StreamedCycle::StreamedCycle(const Hierarchy& hierarchy, int steps, double lambd
   for (int k = 0; k < hierarchy.size(); ++k) {
     const std::size_t n = hierarchy[k].space.size();
     const auto size = [n](bool used) { return std::vector<double>(used ? n : 0); };
-    levels_.push_back(
-        {StreamedSmoother(hierarchy[k], steps, lambda), size(k > 0), size(k + 1 < hierarchy.size()), size(k > 0)});
+    levels_.push_back({StreamedSmoother(hierarchy[k], steps, lambda), cubic_refinement(hierarchy, k), size(k > 0),
+                       size(k + 1 < hierarchy.size()), size(k > 0)});
   }
 }
 
@@ -48,7 +48,8 @@ double StreamedCycle::improve_unless(double enough, std::span<const double> b, s
     improve(0, {}, b, c);
     return 0;
   }
-  const double error = std::sqrt(std::max(0., correct(0, {.given = c.data(), .coarse = nullptr}, b, true)));
+  const double error =
+      std::sqrt(std::max(0., correct(0, {.given = c.data(), .coarse = nullptr, .refinement = nullptr}, b, true)));
   if (error > enough) levels_[0].smoother.ascend(levels_[0].middle, levels_[1].x, b, c, rings_);
   return error;
 }
@@ -59,8 +60,13 @@ void StreamedCycle::solve_by_levels(std::span<const double> b, std::span<double>
   for (std::size_t k = 0; k < last; ++k)
     (*hierarchy_)[static_cast<int>(k)].restriction->apply(right(k), levels_[k + 1].right);
   for (std::size_t k = last + 1; k-- > 0;) {
-    const double* coarse = k < last ? levels_[k + 1].x.data() : nullptr;
-    improve(k, {.given = nullptr, .coarse = coarse}, right(k), k == 0 ? c : levels_[k].x);
+    StreamedSmoother::Start start;
+    if (k < last) {
+      const auto& cubic = levels_[k].cubic;
+      start.coarse = levels_[k + 1].x.data();
+      start.refinement = cubic ? &*cubic : &*(*hierarchy_)[static_cast<int>(k)].refinement;
+    }
+    improve(k, start, right(k), k == 0 ? c : levels_[k].x);
   }
 }
 

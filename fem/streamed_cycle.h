@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/fem/cubic_refinement.h>
 #include <batten/fem/sparse_cholesky.h>
 #include <batten/fem/streamed_smoother.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +34,7 @@ public:
 private:
   struct Level {
     StreamedSmoother smoother;
+    std::optional<TensorSum> cubic;        // for the start by the next coarser level, if set
     std::vector<double> right, middle, x;  // right-hand side, what the first half of a cycle leaves, solution
   };
 

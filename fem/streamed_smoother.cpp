@@ -190,13 +190,13 @@ private:
 
   void refine(int j) {
     const ColumnRange c = columns(0);
-    const int first = level_.refinement->first_row(j);
+    const TensorSum& refinement = *job_.start.refinement;
     std::array<const double*, SplineBasis::max_degree + 2> table{};
-    for (int q = 0; q < level_.refinement->band_height(); ++q)
+    for (int q = 0; q < refinement.band_height(); ++q)
       table[static_cast<std::size_t>(q)] =
-          job_.start.coarse + static_cast<std::ptrdiff_t>(first + q) * level_.refinement->input_columns();
+          job_.start.coarse + static_cast<std::ptrdiff_t>(refinement.first_row(j) + q) * refinement.input_columns();
     double* row = start_[j] + c.begin;
-    level_.refinement->row(j, table.data(), c, row);
+    refinement.row(j, table.data(), c, row);
     if (job_.start.given) add_rows(job_.start.given + at(j) + c.begin, row, row, c.end - c.begin);
   }
 
@@ -304,7 +304,7 @@ double StreamedSmoother::descend(const Start& start, std::span<const double> b, 
 
 void StreamedSmoother::ascend(std::span<const double> x, std::span<const double> coarse, std::span<const double> b,
                               std::span<double> out, Rings& rings) const {
-  run({{x.data(), coarse.data()}, b.data(), out.data(), nullptr, false}, rings);
+  run({{x.data(), coarse.data(), &*level_->refinement}, b.data(), out.data(), nullptr, false}, rings);
 }
 
 }  // namespace batten

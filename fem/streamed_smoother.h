@@ -21,10 +21,11 @@ public:
   /// `steps` applications of A before and after, at least 2. The level is kept by reference.
   StreamedSmoother(const Hierarchy::Level& level, int steps, double lambda);
 
-  /// Where the smoothing starts: at 0, at `given`, or at the refined solution of the coarser level.
+  /// Where the smoothing starts: at 0, at `given`, or at the solution of the coarser level, refined by `refinement`.
   struct Start {
     const double* given = nullptr;
     const double* coarse = nullptr;
+    const TensorSum* refinement = nullptr;
   };
   /// Rows on their way, for each thread.
   using Rings = std::vector<std::vector<double>>;

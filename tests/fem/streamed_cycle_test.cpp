@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <batten/fem/conjugate_gradients.h>
+#include <batten/fem/cubic_refinement.h>
 
 #include "../support/laws.h"
 #include <gtest/gtest.h>
 #include <omp.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace batten {
 namespace {
+
+constexpr double pi = std::numbers::pi;
 
 struct Trial {
   Hierarchy hierarchy;
@@ -63,7 +67,7 @@ TEST(StreamedCycle, solves_for_every_degree) {
       std::vector<double> b(exact.size()), c(exact.size(), 0.), e(exact.size()), ae(exact.size());
       t.system.apply(exact, b);
       const auto result = solve(t.system, b, c);
-      EXPECT_LE(result.iterations, degree < 4 ? 12 : 40) << degree << ' ' << order;
+      EXPECT_LE(result.iterations, degree < 4 ? 20 : 40) << degree << ' ' << order;
       EXPECT_LE(result.accuracy, 1e-9);
       for (std::size_t i = 0; i < e.size(); ++i) e[i] = c[i] - exact[i];
       EXPECT_LE(std::sqrt(t.system.apply(e, ae)), 3e-9 * std::sqrt(test::dot(exact, b))) << degree << ' ' << order;
@@ -80,6 +84,42 @@ TEST(StreamedCycle, leaves_a_start_that_is_good_enough) {
   EXPECT_EQ(c, before);
   EXPECT_EQ(t.system.streamed()->improve_unless(error / 2, b, c), error);
   EXPECT_NE(c, before);
+}
+
+// Of degree 1 on an even and on an odd grid: cubic refinement is exact for cubics that vanish on the sides.
+TEST(CubicRefinement, reproduces_cubics) {
+  for (const auto& [nx, ny] : {std::pair{64, 48}, {61, 35}}) {
+    const Trial t(1, nx, ny, 1);
+    const auto refinement = cubic_refinement(t.hierarchy, 0);
+    ASSERT_TRUE(refinement);
+    const auto values = [](const SplineSpace& s) {
+      std::vector<double> v;
+      const double lx = s.x.interval().finest_cells(), ly = s.y.interval().finest_cells();
+      for (const int j : s.y.interval().breakpoints())
+        for (const int i : s.x.interval().breakpoints())
+          v.push_back(i / lx * (1 - i / lx) * (1 + i / lx) * j / ly * (1 - j / ly) * (2 - j / ly));
+      return v;
+    };
+    const auto exact = values(t.hierarchy[0].space);
+    std::vector<double> found(exact.size());
+    refinement->apply(values(t.hierarchy[1].space), found);
+    for (std::size_t i = 0; i < exact.size(); ++i) ASSERT_NEAR(found[i], exact[i], 1e-14);
+  }
+}
+
+// The discrete solution is sin πx sin πy at the nodes; that of the same problem with exact loads differs from it by
+// about h² π² / 12 of itself.
+TEST(StreamedCycle, one_pass_over_the_levels_leaves_less_than_a_tenth_of_the_discretisation_error) {
+  constexpr int n = 128;
+  const Trial t(1, n, n, 1);
+  std::vector<double> mode, b(t.system.size()), c(t.system.size());
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      mode.push_back(i % n == 0 || j % n == 0 ? 0 : std::sin(pi * i / n) * std::sin(pi * j / n));
+  t.system.apply(mode, b);
+  solve_by_levels(t.system, b, c);
+  const double discretisation = pi * pi / (12. * n * n);
+  for (std::size_t i = 0; i < c.size(); ++i) ASSERT_NEAR(c[i], mode[i], 0.1 * discretisation);
 }
 
 TEST(StreamedCycle, has_the_same_bits_for_every_thread_count) {
