@@ -45,11 +45,11 @@ void write_rest(SolveWork& work) {
 
 void solve_at_rest(SolveWork& work) {
   work.account.result = solve_boundary_problem(work.file.problem, work.options());
-  BoundaryResult& result = *work.account.result;
-  if (const double asked = work.file.limits.accuracy; result.accuracy > asked)
-    result.notes.push_back("the accuracy is " + number_text(result.accuracy, 2) + "; " + number_text(asked) +
-                           " was asked for");
+  const BoundaryResult& result = *work.account.result;
   work.account.notes = result.notes;
+  if (const double asked = work.file.limits.accuracy; result.accuracy > asked)
+    work.account.notes.push_back("the accuracy is " + number_text(result.accuracy, 2) + "; " + number_text(asked) +
+                                 " was asked for");
   const auto& phases = result.seconds;
   work.account.seconds.insert(work.account.seconds.end(), phases.begin(), phases.end());
   work.watch.lap();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/bases/grid_ranges.h>
 #include <batten/bases/tensor_sum.h>
-#include <batten/bases/wavefront.h>
 
 #include <optional>
 #include <vector>

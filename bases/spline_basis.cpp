@@ -110,10 +110,7 @@ struct SplineBasis::Derived {
 
 /// The unit of length in which inner products are derived: the cells of an interval of equal ones have length 1, so
 /// that all levels share what is derived.
-int SplineBasis::unit() const {
-  const auto b = interval_.breakpoints();
-  return b.back() - b[b.size() - 2] == interval_.regular_cell() ? interval_.regular_cell() : 1;
-}
+int SplineBasis::unit() const { return interval_.is_uniform() ? interval_.regular_cell() : 1; }
 
 SplineBasis SplineBasis::on(const Interval& interval, const EndConditions& ends) const {
   SplineBasis other(interval, degree_, ends);

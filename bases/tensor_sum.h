@@ -2,16 +2,12 @@
 #pragma once
 
 #include <batten/bases/banded_rows.h>
+#include <batten/bases/grid_ranges.h>
 
 #include <span>
 #include <vector>
 
 namespace batten {
-
-/// Columns begin .. end - 1 of a grid.
-struct ColumnRange {
-  int begin = 0, end = 0;
-};
 
 /// Σ_t factor_t Y_t ⊗ X_t: a sum of Kronecker products of banded matrices, acting on grids of coefficients (x fastest).
 ///

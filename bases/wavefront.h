@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/bases/grid_ranges.h>
+
 #include <algorithm>
 #include <bit>
 #include <concepts>
 
 namespace batten {
-
-/// Rows begin .. end - 1 of a grid.
-struct RowRange {
-  int begin = 0, end = 0;
-};
 
 /// Several stages of work on the rows of a grid in one pass over memory. Stage s at row j uses what stage s - 1 left at
 /// rows j - reach .. j + reach; it follows `reach` rows behind that stage, so that the rows in between stay in the

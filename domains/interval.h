@@ -27,6 +27,11 @@ public:
   /// Length of every cell but the last, in cells of the finest level.
   int regular_cell() const { return cells() > 1 ? breakpoints_[1] : breakpoints_.back(); }
 
+  /// True if the last cell is as long as the others.
+  bool is_uniform() const { return finest_cells() == cells() * regular_cell(); }
+  /// Length of the cells of the finest level, in the unit of lower() and upper().
+  double finest_cell_length() const { return length() / finest_cells(); }
+
   /// The cell that holds position t (in cells of the finest level); the ends belong to the first and the last cell.
   int cell_of(double t) const;
   /// Position of coordinate x in cells of the finest level; within [0, finest_cells()] for x within [lower, upper].

@@ -11,18 +11,19 @@
 namespace batten {
 namespace {
 
-constexpr Eigen::Index block_rows = 2048;
+constexpr Eigen::Index block_rows = 2048;       // of matrices
+constexpr Eigen::Index vector_block = 1 << 14;  // of vectors
 
-Eigen::Index blocks_of(Eigen::Index rows) { return (rows + block_rows - 1) / block_rows; }
+Eigen::Index blocks_of(Eigen::Index rows, Eigen::Index height) { return (rows + height - 1) / height; }
 
 /// Calls work(block, first row, rows).
 template <typename Work>
-void for_row_blocks(Eigen::Index rows, Work&& work) {
-  const Eigen::Index blocks = blocks_of(rows);
+void for_row_blocks(Eigen::Index rows, Eigen::Index height, Work&& work) {
+  const Eigen::Index blocks = blocks_of(rows, height);
 #pragma omp parallel for schedule(static) if (blocks > 1)
   for (Eigen::Index b = 0; b < blocks; ++b) {
-    const Eigen::Index first = b * block_rows;
-    work(b, first, std::min(block_rows, rows - first));
+    const Eigen::Index first = b * height;
+    work(b, first, std::min(height, rows - first));
   }
 }
 
@@ -40,8 +41,8 @@ void add_product(bool several_blocks, Out&& out, const Left& a, const Right& b) 
 
 double dot(std::span<const double> a, std::span<const double> b) {
   const auto rows = static_cast<Eigen::Index>(a.size());
-  std::vector<double> partial(static_cast<std::size_t>(blocks_of(rows)));
-  for_row_blocks(rows, [&](Eigen::Index block, Eigen::Index first, Eigen::Index count) {
+  std::vector<double> partial(static_cast<std::size_t>(blocks_of(rows, vector_block)));
+  for_row_blocks(rows, vector_block, [&](Eigen::Index block, Eigen::Index first, Eigen::Index count) {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
     for (Eigen::Index i = first; i < first + count; ++i)
@@ -54,15 +55,16 @@ double dot(std::span<const double> a, std::span<const double> b) {
 void combine(double a, std::span<const double> x, double b, std::span<double> y) {
   const double* in = x.data();
   double* out = y.data();
-  for_row_blocks(static_cast<Eigen::Index>(x.size()), [&](Eigen::Index, Eigen::Index first, Eigen::Index count) {
+  for_row_blocks(static_cast<Eigen::Index>(x.size()), vector_block,
+                 [&](Eigen::Index, Eigen::Index first, Eigen::Index count) {
 #pragma omp simd
-    for (Eigen::Index i = first; i < first + count; ++i) out[i] = a * in[i] + b * out[i];
-  });
+                   for (Eigen::Index i = first; i < first + count; ++i) out[i] = a * in[i] + b * out[i];
+                 });
 }
 
 Eigen::MatrixXd tall_products(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b) {
-  std::vector<Eigen::MatrixXd> partial(static_cast<std::size_t>(blocks_of(a.rows())));
-  for_row_blocks(a.rows(), [&](Eigen::Index block, Eigen::Index first, Eigen::Index rows) {
+  std::vector<Eigen::MatrixXd> partial(static_cast<std::size_t>(blocks_of(a.rows(), block_rows)));
+  for_row_blocks(a.rows(), block_rows, [&](Eigen::Index block, Eigen::Index first, Eigen::Index rows) {
     auto& product = partial[static_cast<std::size_t>(block)];
     product = Eigen::MatrixXd::Zero(a.cols(), b.cols());
     add_product(partial.size() > 1, product, a.middleRows(first, rows).transpose(), b.middleRows(first, rows));
@@ -73,7 +75,7 @@ Eigen::MatrixXd tall_products(const Eigen::Ref<const Eigen::MatrixXd>& a, const 
 }
 
 void recombine(Eigen::Ref<Eigen::MatrixXd> a, const Eigen::MatrixXd& c) {
-  for_row_blocks(a.rows(), [&](Eigen::Index, Eigen::Index first, Eigen::Index rows) {
+  for_row_blocks(a.rows(), block_rows, [&](Eigen::Index, Eigen::Index first, Eigen::Index rows) {
     Eigen::MatrixXd product = Eigen::MatrixXd::Zero(rows, c.cols());
     add_product(a.rows() > block_rows, product, a.middleRows(first, rows).leftCols(c.rows()), c);
     a.middleRows(first, rows).leftCols(c.cols()) = product;
@@ -83,7 +85,7 @@ void recombine(Eigen::Ref<Eigen::MatrixXd> a, const Eigen::MatrixXd& c) {
 void subtract_product(Eigen::Ref<Eigen::MatrixXd> a, const Eigen::Ref<const Eigen::MatrixXd>& b,
                       const Eigen::MatrixXd& c) {
   const Eigen::MatrixXd negative = -c;
-  for_row_blocks(a.rows(), [&](Eigen::Index, Eigen::Index first, Eigen::Index rows) {
+  for_row_blocks(a.rows(), block_rows, [&](Eigen::Index, Eigen::Index first, Eigen::Index rows) {
     add_product(a.rows() > block_rows, a.middleRows(first, rows), b.middleRows(first, rows), negative);
   });
 }

@@ -25,6 +25,11 @@ public:
   /// True for the constant 0.
   bool is_zero() const { return is_constant() && constant_ == 0; }
   double operator()(double x, double y) const { return function_ ? function_(x, y) : constant_; }
+  /// factor times this field plus a constant.
+  Field affine(double factor, double constant = 0) const {
+    if (is_constant() || factor == 0) return factor * constant_ + constant;
+    return Field([f = function_, factor, constant](double x, double y) { return factor * f(x, y) + constant; });
+  }
 
 private:
   double constant_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
+#include <batten/fem/block_vectors.h>
 #include <batten/fem/boundary_solver.h>
 #include <batten/fem/boundary_system.h>
 #include <batten/fem/load_vector.h>
@@ -9,10 +10,8 @@
 #include <batten/fem/support_points.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace batten {
 namespace {
@@ -35,14 +34,12 @@ public:
 
 private:
   template <typename Work>
-  void timed(const std::string& phase, Work&& work) {
+  void run_phase(const std::string& phase, Work&& work) {
     if (options_.progress) options_.progress(phase, 0);
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    seconds_.push_back({phase, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+    timed(seconds_, phase, work);
   }
-  Vector residual(const Vector& v);
-  Vector support_targets() const;
+  Vector residual() const;
+  void set_homogeneous_part(const Vector& v);
   void iterate();
   void measure(BoundaryResult& result) const;
 
@@ -59,43 +56,36 @@ private:
   std::vector<PhaseTime> seconds_;
 };
 
-double dot(std::span<const double> a, std::span<const double> b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
-}
-
-/// b - A (g + v) of the splines that keep the conditions, and the whole coefficients of g + v.
-Vector BoundarySolve::residual(const Vector& v) {
+/// u = g + v
+void BoundarySolve::set_homogeneous_part(const Vector& v) {
   solution_ = system_->whole(v);
-  for (std::size_t i = 0; i < solution_.size(); ++i) solution_[i] += lifting_.coefficients[i];
-  Vector r = system_->apply_whole(solution_);
-  for (std::size_t i = 0; i < r.size(); ++i) r[i] = load_[i] - r[i];
-  return system_->restricted(r);
+  combine(1, lifting_.coefficients, 1, solution_);
 }
 
-/// What the supports still ask of the homogeneous part, in the order of the system's points.
-Vector BoundarySolve::support_targets() const {
-  const Solution lifted(problem_.region, problem_.degree, lifting_.coefficients);
-  const auto& c = supports_.constraints;
-  Vector target;
-  for (const std::size_t i : system_->order()) target.push_back(c.target[i] - lifted.value(c.x[i], c.y[i]));
-  return target;
+/// b - A u of the splines that keep the conditions.
+Vector BoundarySolve::residual() const {
+  Vector r = system_->apply_whole(solution_);
+  combine(1, load_, -1, r);
+  return system_->restricted(r);
 }
 
 /// Each step solves for the correction that the residual asks for, formed anew with all its digits, and that the
 /// springs ask for, whose forces add up (the method of multipliers). Membranes without supports are done after the
 /// first.
 void BoundarySolve::iterate() {
-  constexpr int most_steps = 8;
   constexpr double correction_accuracy = 1e-4;  // what the springs gain in a step
   const auto& multigrid = system_->multigrid();
   const auto& data = multigrid.data();
-  const bool one_step = data.size() == 0 && !problem_.is_plate();
-  Vector v(multigrid.size()), step(v.size()), target = support_targets(), miss = target, pull(data.size());
+  const int most_steps = data.size() == 0 && !problem_.is_plate() ? 1 : 8;
+  Vector v(multigrid.size()), step(v.size()), pull(data.size()), miss(data.size());
+  set_homogeneous_part(v);
+  const Vector target =
+      missing_values(supports_.constraints, system_->order(), Solution(problem_.region, problem_.degree, solution_));
+  miss = target;
   force_.assign(data.size(), 0.);
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most_steps; ++k) {
-    Vector r = residual(v);
-    if (k > 0 && one_step) break;
+    Vector r = residual();
     for (std::size_t i = 0; i < pull.size(); ++i) pull[i] = force_[i] + data.weights()[i] * miss[i];
     data.add_adjoint(pull, r);
     IterationLimits limits = options_.limits;
@@ -110,7 +100,8 @@ void BoundarySolve::iterate() {
     const auto found = solve(multigrid, r, step, limits);
     iterations_.iterations += found.iterations;
     iterations_.accuracy = found.accuracy;
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] += step[i];
+    combine(1, step, 1, v);
+    set_homogeneous_part(v);
     data.values(v, miss);
     for (std::size_t i = 0; i < miss.size(); ++i) {
       miss[i] = target[i] - miss[i];
@@ -145,7 +136,7 @@ void BoundarySolve::measure(BoundaryResult& result) const {
   Vector au = system_->apply_whole(solution_);
   result.energy = dot(solution_, au);
   result.compliance = dot(solution_, load_);
-  for (std::size_t i = 0; i < au.size(); ++i) au[i] -= load_[i];
+  combine(-1, load_, 1, au);
   result.side_reactions = side_reactions(problem_, system_->space(), au);
   const std::size_t points = problem_.supports.points.size(), lines = problem_.supports.lines.size();
   Vector reactions(points + lines + static_cast<std::size_t>(motions_.count()));
@@ -156,14 +147,14 @@ void BoundarySolve::measure(BoundaryResult& result) const {
 }
 
 BoundaryResult BoundarySolve::run() {
-  timed("assemble", [&] {
+  run_phase("assemble", [&] {
     system_.emplace(problem_, 0., supports_.constraints);
     lifting_ = lifting(problem_);
   });
-  timed("solve", [&] { iterate(); });
+  run_phase("solve", [&] { iterate(); });
   motions_.remove_from(solution_);
   BoundaryResult result{.solution = Solution(problem_.region, problem_.degree, solution_)};
-  timed("measure", [&] { measure(result); });
+  run_phase("measure", [&] { measure(result); });
   result.unknowns = system_->multigrid().size();
   result.levels = system_->hierarchy().size();
   result.iterations = iterations_.iterations;

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <batten/fem/boundary_problem.h>
-#include <batten/fem/fit.h>
+#include <batten/fem/conjugate_gradients.h>
+#include <batten/fem/phase_time.h>
 #include <batten/fem/solution.h>
 
 #include <array>

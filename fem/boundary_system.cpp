@@ -36,16 +36,11 @@ SymmetricStencil varying_energy(const BoundaryProblem& problem, const Field& mas
   return varying_stencil(terms, problem.region, problem.degree);
 }
 
-TensorSum restriction_of(const SplineSpace& space) {
-  return TensorSum({{1., subspace_restriction(space.y.size(), space.y.ends()),
-                     subspace_restriction(space.x.size(), space.x.ends())}});
-}
-
 Hierarchy hierarchy_of(const BoundaryProblem& problem, const std::optional<Energy>& constant, const Operator& whole) {
   const SpaceEnds ends = side_conditions(problem);
   if (constant) return Hierarchy(*constant, problem.region, problem.degree, {}, ends);
   const auto space = finest_space(problem.region, problem.degree, {}, ends);
-  return Hierarchy(whole.stencil()->galerkin(restriction_of(space)), problem.region, problem.degree, {}, ends);
+  return Hierarchy(whole.stencil()->galerkin(subspace_restriction(space)), problem.region, problem.degree, {}, ends);
 }
 
 GridPoints in_cells(const BoundarySystem::Constraints& constraints, const Rectangle& region) {
@@ -55,13 +50,6 @@ GridPoints in_cells(const BoundarySystem::Constraints& constraints, const Rectan
     points.y.push_back(region.y.to_cells(constraints.y[i]));
   }
   return points;
-}
-
-template <typename T>
-std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::size_t>& order) {
-  std::vector<T> result(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) result[i] = values[order[i]];
-  return result;
 }
 
 /// Springs so stiff that a step of the method of multipliers gains four digits: 10^4 / (b · D^-1 b), where D, the
@@ -116,7 +104,7 @@ std::vector<double> BoundarySystem::apply_whole(std::span<const double> whole) c
 
 std::vector<double> BoundarySystem::restricted(std::span<const double> whole) const {
   std::vector<double> result(whole.size());
-  restriction_of(space()).apply(whole, result);
+  subspace_restriction(space()).apply(whole, result);
   return result;
 }
 
@@ -134,10 +122,10 @@ Operator whole_energy(const BoundaryProblem& problem) {
   return Operator(varying_energy(problem, 0));
 }
 
-Operator restricted_energy(const BoundaryProblem& problem) {
+Operator restricted_energy(const BoundaryProblem& problem, const Operator& whole) {
   const auto space = finest_space(problem.region, problem.degree, {}, side_conditions(problem));
-  if (const auto energy = constant_energy(problem, 0)) return Operator(*energy, space);
-  return Operator(varying_energy(problem, 0).galerkin(restriction_of(space)));
+  if (const auto* stencil = whole.stencil()) return Operator(stencil->galerkin(subspace_restriction(space)));
+  return Operator(constant_energy(problem, 0).value(), space);
 }
 
 }  // namespace batten

@@ -53,8 +53,9 @@ private:
   Multigrid multigrid_;
 };
 
-/// A of a problem, neither springs nor mass added: of all splines, and of those that keep the side conditions.
+/// A of all splines, neither springs nor mass added.
 Operator whole_energy(const BoundaryProblem& problem);
-Operator restricted_energy(const BoundaryProblem& problem);
+/// The same of the splines that keep the side conditions; `whole` is that of all splines.
+Operator restricted_energy(const BoundaryProblem& problem, const Operator& whole);
 
 }  // namespace batten

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/blocks.h>
 #include <batten/domains/errors.h>
+#include <batten/fem/block_vectors.h>
 #include <batten/fem/conjugate_gradients.h>
 
 #include <algorithm>
@@ -20,15 +21,6 @@ double sum_over(std::size_t n, Work&& work) {
   const int rows = static_cast<int>((n + row_length - 1) / row_length);
   return sum_blocks(RowBlocks(rows, row_length), [&](int begin, int end) {
     return work(static_cast<std::size_t>(begin) * row_length, std::min(n, static_cast<std::size_t>(end) * row_length));
-  });
-}
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  return sum_over(a.size(), [&](std::size_t from, std::size_t to) {
-    double sum = 0;
-#pragma omp simd reduction(+ : sum)
-    for (std::size_t i = from; i < to; ++i) sum += a[i] * b[i];
-    return sum;
   });
 }
 
@@ -53,15 +45,6 @@ void move(double step, std::span<const double> p, std::span<const double> q, std
   });
 }
 
-/// p = z + factor p
-void turn(double factor, std::span<const double> z, std::span<double> p) {
-  sum_over(p.size(), [&](std::size_t from, std::size_t to) {
-#pragma omp simd
-    for (std::size_t i = from; i < to; ++i) p[i] = z[i] + factor * p[i];
-    return 0.;
-  });
-}
-
 bool is_zero(std::span<const double> c) {
   return std::all_of(c.begin(), c.end(), [](double v) { return v == 0; });
 }
@@ -82,10 +65,7 @@ struct LevelSystem {
   /// r = b - A c
   void residual(std::span<const double> b, std::span<const double> c, Vector& r) const {
     apply(c, r);
-    sum_over(r.size(), [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = from; i < to; ++i) r[i] = b[i] - r[i];
-      return 0.;
-    });
+    combine(1, b, -1, r);
   }
 };
 
@@ -123,7 +103,7 @@ bool run(const LevelSystem& system, std::span<const double> b, std::span<double>
     rz = next;
     if (was_true || std::sqrt(rz) <= goal) break;
     factor = std::sqrt(ratio);
-    turn(ratio, z, p);
+    combine(1, z, ratio, p);
   }
   return is_true;
 }

@@ -19,6 +19,14 @@ struct GridPoints {
 /// The indices of points in the order that GridPoints asks for, by cell row, cell column and index.
 std::vector<std::size_t> cell_order(const GridPoints& points, const SplineSpace& space);
 
+/// values[order[0]], values[order[1]], ...
+template <typename T>
+std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::size_t>& order) {
+  std::vector<T> result(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) result[i] = values[order[i]];
+  return result;
+}
+
 /// The data part Σ_i w_i b_i b_i^T of a least-squares fit on one level; b_i holds the values of the basis functions at
 /// point i.
 ///

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/blocks.h>
+#include <batten/fem/block_vectors.h>
 #include <batten/fem/difference_form.h>
 
 #include <utility>
@@ -97,18 +98,6 @@ Vector differentiated_transposed(const SplineSpace& space, Vector g, int a, int 
   return g;
 }
 
-double dot(const Vector& a, const Vector& b) {
-  constexpr int row = 1024;
-  const auto rows = static_cast<int>((a.size() + row - 1) / row);
-  return sum_blocks(RowBlocks(rows, row), [&](int begin, int end) {
-    double sum = 0;
-    for (std::size_t i = static_cast<std::size_t>(begin) * row;
-         i < std::min(a.size(), static_cast<std::size_t>(end) * row); ++i)
-      sum += a[i] * b[i];
-    return sum;
-  });
-}
-
 }  // namespace
 
 std::vector<double> differentiated(const SplineSpace& space, std::span<const double> coefficients, int a, int b) {
@@ -128,7 +117,7 @@ std::vector<double> apply_by_differences(const Energy& energy, const SplineSpace
     mass(space, t.x_order, t.y_order).apply(derivative, g);
     g = differentiated_transposed(space, std::move(g), t.x_order, t.y_order);
     const double factor = t.weight * space.cell_factor(t.x_order, t.y_order);
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] += factor * g[i];
+    combine(factor, g, 1, result);
   }
   return result;
 }

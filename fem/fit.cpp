@@ -9,7 +9,6 @@
 #include <batten/fem/standard_error.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,18 +16,6 @@
 
 namespace batten {
 namespace {
-
-/// Calls work and notes how long it took.
-template <typename Work>
-auto timed(std::vector<PhaseTime>& seconds, const std::string& phase, Work&& work) {
-  struct Stop {
-    std::vector<PhaseTime>& list;
-    const std::string& name;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-    ~Stop() { list.push_back({name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}); }
-  } stop{seconds, phase};
-  return work();
-}
 
 Smoothing checked(const FitOptions& options) {
   const Smoothing s = options.smoothing;

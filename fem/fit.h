@@ -4,6 +4,7 @@
 #include <batten/fem/conjugate_gradients.h>
 #include <batten/fem/energy.h>
 #include <batten/fem/hierarchy.h>
+#include <batten/fem/phase_time.h>
 #include <batten/fem/solution.h>
 
 #include <cstdint>
@@ -50,12 +51,6 @@ struct FitOptions {
   std::uint64_t seed = 1;  ///< of the random probes of cross-validation and standard error
   /// Called now and then with the phase ("cross-validation", "solve", ...) and the part of it that is done, 0 to 1.
   std::function<void(std::string_view phase, double done)> progress;
-};
-
-/// Seconds that a part of the work took.
-struct PhaseTime {
-  std::string phase;
-  double seconds;
 };
 
 struct FitResult {

@@ -143,13 +143,6 @@ GridPoints to_cells(const FitData& d, const Hierarchy& hierarchy) {
   return points;
 }
 
-template <typename T>
-std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::size_t>& order) {
-  std::vector<T> result(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) result[i] = values[order[i]];
-  return result;
-}
-
 }  // namespace
 
 namespace {

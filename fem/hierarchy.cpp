@@ -76,11 +76,7 @@ private:
   static constexpr int sample = 24;
 
   /// True if a small grid can stand for this direction.
-  static bool is_brief(const SplineBasis& b) {
-    const auto points = b.interval().breakpoints();
-    const bool uniform = points.back() - points[points.size() - 2] == b.interval().regular_cell();
-    return uniform && b.interval().cells() > sample;
-  }
+  static bool is_brief(const SplineBasis& b) { return b.interval().is_uniform() && b.interval().cells() > sample; }
 
   static SplineSpace represented(const SplineSpace& space) {
     SplineSpace result = space;

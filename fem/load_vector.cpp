@@ -50,7 +50,7 @@ private:
   /// ∫ N_i, from ∫ N_i N_j and Σ N_j = 1.
   static std::vector<double> integrals(const SplineBasis& basis) {
     const auto mass = basis.inner_products(0);
-    const double unit = basis.interval().length() / basis.interval().finest_cells();
+    const double unit = basis.interval().finest_cell_length();
     std::vector<double> result;
     for (int i = 0; i < mass.rows; ++i) {
       double sum = 0;

@@ -12,25 +12,19 @@
 namespace batten {
 namespace {
 
-/// Length of the finest cells in the units of the problem.
-double cell_length(const Interval& interval) { return interval.length() / interval.finest_cells(); }
-
 TensorSum products(double factor, const SplineSpace& space) {
   return TensorSum({{factor, space.y.inner_products(0), space.x.inner_products(0)}});
 }
 
 std::variant<TensorSum, SymmetricStencil> finest_matrix(const BoundaryProblem& problem, const Field& density) {
   const auto space = finest_space(problem.region, problem.degree, {}, side_conditions(problem));
-  if (!density.is_constant()) {
-    const TensorSum restriction({{1., subspace_restriction(space.y.size(), space.y.ends()),
-                                  subspace_restriction(space.x.size(), space.x.ends())}});
+  if (!density.is_constant())
     return varying_stencil({{density, 1, {0, 0}, {0, 0}, "a density"}}, problem.region, problem.degree)
-        .galerkin(restriction);
-  }
+        .galerkin(subspace_restriction(space));
   const double value = density(0, 0);
   if (!(value > 0) || !std::isfinite(value))
     throw InvalidInput("Mass: expected a density > 0, found " + number_text(value, 6));
-  return products(value * cell_length(problem.region.x) * cell_length(problem.region.y), space);
+  return products(value * problem.region.x.finest_cell_length() * problem.region.y.finest_cell_length(), space);
 }
 
 }  // namespace
@@ -90,7 +84,7 @@ void MassInverse::Factor::solve(double* b, std::ptrdiff_t stride, int lanes) con
 }
 
 MassInverse::MassInverse(const SplineSpace& space, const Rectangle& region)
-    : x_(space.x, cell_length(region.x)), y_(space.y, cell_length(region.y)) {}
+    : x_(space.x, region.x.finest_cell_length()), y_(space.y, region.y.finest_cell_length()) {}
 
 void MassInverse::apply(std::span<double> b) const {
   constexpr int lanes = 64;

@@ -114,6 +114,11 @@ bool has_free_end(const SplineBasis& basis) {
 
 }  // namespace
 
+TensorSum subspace_restriction(const SplineSpace& space) {
+  return TensorSum({{1., subspace_restriction(space.y.size(), space.y.ends()),
+                     subspace_restriction(space.x.size(), space.x.ends())}});
+}
+
 Operator::Operator(const Energy& energy, const SplineSpace& space)
     : order_(energy.order()), products_(build_products(energy, space)), inside_(EvenStencil::inside(*products_)) {
   if (energy.curvature() != 0 && has_free_end(space.y)) end_rows_ = build_end_rows(energy.curvature(), space);

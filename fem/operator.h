@@ -26,6 +26,9 @@ struct SplineSpace {
   std::size_t size() const { return static_cast<std::size_t>(x.size()) * static_cast<std::size_t>(y.size()); }
 };
 
+/// T^T of a space with conditions at its ends: T holds the coefficients of its functions among all splines.
+TensorSum subspace_restriction(const SplineSpace& space);
+
 /// E of an energy on a spline space: c · (E c) is the energy of the spline with coefficients c. Symmetric positive
 /// semidefinite.
 ///

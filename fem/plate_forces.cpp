@@ -68,7 +68,7 @@ std::vector<double> places_of(const Interval& interval, int degree, int order, d
   const double t = interval.to_cells(v), nearest = std::round(t);
   const bool jumps = std::abs(t - nearest) < 1e-9 && nearest > 0 && nearest < interval.finest_cells();
   if (!jumps) return {v};
-  const double half = interval.length() / interval.finest_cells() / 2;
+  const double half = interval.finest_cell_length() / 2;
   return {v - half, v + half};
 }
 

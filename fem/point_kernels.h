@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <batten/bases/wavefront.h>
+#include <batten/bases/grid_ranges.h>
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <batten/bases/spline_basis.h>
 #include <batten/bases/tensor_sum.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
+#include <batten/fem/null_space.h>
 #include <batten/fem/rigid_motions.h>
 
 #include <algorithm>
@@ -71,15 +71,14 @@ private:
   std::vector<Eigen::RowVector3d> rows_;
 };
 
-/// Coefficients of the function 2 (x - lower) / length - 1: its values at the Greville abscissae.
-Eigen::VectorXd centred_coefficients(const SplineBasis& basis) {
-  const int d = basis.degree(), cells = basis.interval().finest_cells();
-  Eigen::VectorXd result(basis.size());
-  for (int j = 0; j < basis.size(); ++j) {
-    double sum = 0;
-    for (int k = 1; k <= d; ++k) sum += std::clamp(j + k - d, 0, cells);
-    result[j] = 2 * sum / d / cells - 1;
-  }
+/// Coefficients of 1, s, t: columns.
+Eigen::MatrixXd linear_functions(const SplineSpace& space) {
+  const auto &x = space.x.interval(), &y = space.y.interval();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(space.size()), 3);
+  const auto column = [&](Eigen::Index k) { return std::span(result.col(k).data(), space.size()); };
+  LinearFunction{.a = 1}.add_to(space, column(0));
+  LinearFunction{.b = 2 / x.length(), .x0 = (x.lower() + x.upper()) / 2}.add_to(space, column(1));
+  LinearFunction{.c = 2 / y.length(), .y0 = (y.lower() + y.upper()) / 2}.add_to(space, column(2));
   return result;
 }
 
@@ -108,22 +107,12 @@ std::vector<std::array<double, 2>> RigidMotions::pins() const {
   return result;
 }
 
-Eigen::MatrixXd RigidMotions::functions() const {
-  const SplineBasis x(region_.x, degree_), y(region_.y, degree_);
-  const Eigen::VectorXd s = centred_coefficients(x), t = centred_coefficients(y);
-  Eigen::MatrixXd result(s.size() * t.size(), 3);
-  result.col(0).setOnes();
-  for (Eigen::Index j = 0; j < t.size(); ++j) {
-    result.col(1).segment(j * s.size(), s.size()) = s;
-    result.col(2).segment(j * s.size(), s.size()).setConstant(t[j]);
-  }
-  return result;
-}
+Eigen::MatrixXd RigidMotions::functions(const SplineSpace& space) const { return linear_functions(space) * motions_; }
 
 void RigidMotions::expect_balanced(std::span<const double> b) const {
   if (count() == 0) return;
   const Eigen::Map<const Eigen::VectorXd> load(b.data(), static_cast<Eigen::Index>(b.size()));
-  const Eigen::MatrixXd n = functions();
+  const Eigen::MatrixXd n = linear_functions(finest_space(region_, degree_));
   const Eigen::RowVector3d work = load.transpose() * n;
   const Eigen::RowVector3d size = load.cwiseAbs().transpose() * n.cwiseAbs();
   const Eigen::RowVectorXd free = work * motions_;
@@ -143,9 +132,9 @@ void RigidMotions::expect_balanced(std::span<const double> b) const {
 void RigidMotions::remove_from(std::span<double> coefficients) const {
   if (count() == 0) return;
   Eigen::Map<Eigen::VectorXd> c(coefficients.data(), static_cast<Eigen::Index>(coefficients.size()));
-  const Eigen::MatrixXd m = functions() * motions_;
-  const SplineBasis x(region_.x, degree_), y(region_.y, degree_);
-  const TensorSum mass({{1., y.inner_products(0), x.inner_products(0)}});
+  const SplineSpace space = finest_space(region_, degree_);
+  const Eigen::MatrixXd m = functions(space);
+  const TensorSum mass({{1., space.y.inner_products(0), space.x.inner_products(0)}});
   Eigen::MatrixXd product(m.rows(), m.cols());
   for (Eigen::Index k = 0; k < m.cols(); ++k)
     mass.apply({m.col(k).data(), coefficients.size()}, {product.col(k).data(), coefficients.size()});

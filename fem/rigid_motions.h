@@ -2,6 +2,7 @@
 #pragma once
 
 #include <batten/fem/boundary_problem.h>
+#include <batten/fem/hierarchy.h>
 
 #include <Eigen/Dense>
 
@@ -18,8 +19,8 @@ public:
   explicit RigidMotions(const BoundaryProblem& problem);
 
   int count() const { return static_cast<int>(motions_.cols()); }
-  /// 3 x count(): weights of 1, s, t; orthonormal columns.
-  const Eigen::MatrixXd& motions() const { return motions_; }
+  /// Their coefficients in splines without conditions, of any level: size() x count().
+  Eigen::MatrixXd functions(const SplineSpace& space) const;
   /// Places (x, y), as many as motions, at which the values of a motion determine it.
   std::vector<std::array<double, 2>> pins() const;
   /// Throws InvalidInput if the load vector b does work on a motion: says by how much force and moment.
@@ -28,13 +29,10 @@ public:
   void remove_from(std::span<double> coefficients) const;
 
 private:
-  /// Coefficients of 1, s, t in the whole spline space: columns.
-  Eigen::MatrixXd functions() const;
-
   Rectangle region_;
   int degree_;
   bool plate_;
-  Eigen::MatrixXd motions_;
+  Eigen::MatrixXd motions_;  // 3 x count(): weights of 1, s, t; orthonormal columns
 };
 
 }  // namespace batten

@@ -46,7 +46,7 @@ std::vector<double> projected(const SplineBasis& basis, const Trace& f, const ch
         b[static_cast<std::size_t>(cell + a)] += v * gauss.value(cell, q, 0, a);
     }
   const auto mass = basis.inner_products(0);
-  const double unit = interval.length() / interval.finest_cells();
+  const double unit = interval.finest_cell_length();
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 1; i < n - 1; ++i) {
     b[static_cast<std::size_t>(i)] -= unit * (mass(i, 0) * c.front() + mass(i, n - 1) * c.back());
@@ -121,7 +121,7 @@ std::vector<std::string> corner_notes(const std::array<SideGrid, 4>& sides) {
 /// derivative of a clamped spline at an end is degree / (length of the cell) times the difference.
 double slope_step(const SplineBasis& across) {
   const auto& interval = across.interval();
-  return -interval.length() / interval.finest_cells() * interval.regular_cell() / across.degree();
+  return -interval.finest_cell_length() * interval.regular_cell() / across.degree();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/wavefront.h>
+#include <batten/fem/chebyshev_step.h>
 #include <batten/fem/smoother.h>
 
 #include <algorithm>
@@ -206,8 +207,10 @@ void Smoother::precondition(std::span<const double> r, std::span<double> out) co
 /// are exact.
 std::vector<Smoother::Step> Smoother::chebyshev_steps(int degree) const {
   std::vector<Step> steps;
-  for (int i = 0; i < (is_data_aware() ? degree - 1 : degree); ++i)
-    steps.push_back({i == 0 ? 0. : (2. * i - 1) / (2. * i + 3), i == 0 ? 4. / 3 : (8. * i + 4) / (2. * i + 3)});
+  for (int i = 0; i < (is_data_aware() ? degree - 1 : degree); ++i) {
+    const auto [keep, gain] = chebyshev_step(i);
+    steps.push_back({keep, gain});
+  }
   if (is_data_aware()) steps.push_back({0., 1.});
   return steps;
 }

@@ -281,8 +281,7 @@ StreamedSmoother::StreamedSmoother(const Hierarchy::Level& level, int steps, dou
       inverse_(inverse_diagonal(level, lambda)),
       panels_(std::max(1, (level.energy.columns() + panel_columns / 2) / panel_columns)),
       sums_(static_cast<std::size_t>(level.energy.rows() * panels_)) {
-  for (int i = 0; i < steps; ++i)  // Chebyshev polynomial of the fourth kind on (0, 1]
-    steps_.push_back({i == 0 ? 0. : (2. * i - 1) / (2. * i + 3), i == 0 ? 4. / 3 : (8. * i + 4) / (2. * i + 3)});
+  for (int i = 0; i < steps; ++i) steps_.push_back(chebyshev_step(i));
 }
 
 void StreamedSmoother::run(const Job& job, Rings& rings) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <batten/bases/repeated_rows.h>
+#include <batten/fem/chebyshev_step.h>
 #include <batten/fem/hierarchy.h>
 
 #include <span>
@@ -39,10 +40,6 @@ public:
               std::span<double> out, Rings& rings) const;
 
 private:
-  /// z <- keep z + gain D^-1 r
-  struct Step {
-    double keep, gain;
-  };
   struct Job;
   struct Place;
   class Block;
@@ -50,7 +47,7 @@ private:
 
   const Hierarchy::Level* level_;
   double lambda_;
-  std::vector<Step> steps_;
+  std::vector<ChebyshevStep> steps_;
   RepeatedRows inverse_;              // of D
   int panels_;                        // parts of the columns, one after another: the rings of one fit in the cache
   mutable std::vector<double> sums_;  // of products, by row and panel

@@ -107,4 +107,12 @@ SupportPoints support_points(const BoundaryProblem& problem, const std::vector<s
   return points.take();
 }
 
+std::vector<double> missing_values(const BoundarySystem::Constraints& constraints,
+                                   const std::vector<std::size_t>& order, const Solution& spline) {
+  std::vector<double> result;
+  for (const std::size_t i : order)
+    result.push_back(constraints.target[i] - spline.value(constraints.x[i], constraints.y[i]));
+  return result;
+}
+
 }  // namespace batten

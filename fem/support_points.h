@@ -2,6 +2,7 @@
 #pragma once
 
 #include <batten/fem/boundary_system.h>
+#include <batten/fem/solution.h>
 
 #include <array>
 #include <vector>
@@ -19,5 +20,9 @@ struct SupportPoints {
 /// out. Throws InvalidInput for supports outside of the rectangle, for a point support of a Conduction problem without
 /// radius, and for two supports that ask different values of one place.
 SupportPoints support_points(const BoundaryProblem& problem, const std::vector<std::array<double, 2>>& pins);
+
+/// What a spline misses of the prescribed values, in the order of the system's points (BoundarySystem::order).
+std::vector<double> missing_values(const BoundarySystem::Constraints& constraints,
+                                   const std::vector<std::size_t>& order, const Solution& spline);
 
 }  // namespace batten

@@ -20,12 +20,6 @@ namespace {
 
 using Vector = std::vector<double>;
 
-/// factor f + constant
-Field affine(const Field& f, double factor, double constant) {
-  if (f.is_constant()) return factor * f(0, 0) + constant;
-  return Field([=](double x, double y) { return factor * f(x, y) + constant; });
-}
-
 void expect(bool holds, const char* rule, double found) {
   if (!holds || !std::isfinite(found))
     throw InvalidInput(std::string("march: expected ") + rule + ", found " + number_text(found, 6));
@@ -84,7 +78,7 @@ struct Statics {
         supports(support_points(p, {})),
         mass(p, m.density),
         whole_energy(batten::whole_energy(p)),
-        energy(restricted_energy(p)) {}
+        energy(restricted_energy(p, whole_energy)) {}
 
   void lift(const ShiftedSolver& solver);
   Vector projected(const Field& f, const Vector& without, const ShiftedSolver& solver, const char* what) const;
@@ -96,9 +90,7 @@ void Statics::lift(const ShiftedSolver& solver) {
   g = std::move(sides.coefficients);
   if (supports.constraints.size() > 0) {
     const Solution lifted(problem.region, problem.degree, g);
-    const auto& c = supports.constraints;
-    Vector miss;
-    for (const std::size_t i : solver.system().order()) miss.push_back(c.target[i] - lifted.value(c.x[i], c.y[i]));
+    const Vector miss = missing_values(supports.constraints, solver.system().order(), lifted);
     const Vector rest = solver.system().whole(solver.projection().lifting(miss));
     combine(1, rest, 1, g);
   }
@@ -141,7 +133,7 @@ public:
   static constexpr double gamma = 1 - 1 / std::numbers::sqrt2;
 
   explicit Heat(const Statics& statics) : statics_(statics) {}
-  static Field mass(const Motion& motion, double dt) { return affine(motion.density, 1 / (gamma * dt), 0); }
+  static Field mass(const Motion& motion, double dt) { return motion.density.affine(1 / (gamma * dt)); }
   void begin(const ShiftedSolver& solver) {
     v_ = statics_.projected(statics_.motion.initial, statics_.g, solver, what);
   }
@@ -191,7 +183,7 @@ class Vibrating {
 public:
   explicit Vibrating(const Statics& statics) : statics_(statics) {}
   static Field mass(const Motion& motion, double dt) {
-    return affine(motion.density, 4 / (dt * dt), 2 * motion.damping / dt);
+    return motion.density.affine(4 / (dt * dt), 2 * motion.damping / dt);
   }
   void begin(const ShiftedSolver& solver) {
     w_ = statics_.projected(statics_.motion.initial, statics_.g, solver, "initial values");

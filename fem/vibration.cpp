@@ -6,7 +6,6 @@
 #include <batten/fem/difference_form.h>
 #include <batten/fem/lowest_eigenpairs.h>
 #include <batten/fem/mass.h>
-#include <batten/fem/null_space.h>
 #include <batten/fem/random_signs.h>
 #include <batten/fem/rigid_motions.h>
 #include <batten/fem/support_points.h>
@@ -16,7 +15,6 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -26,11 +24,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Vector = std::vector<double>;
-
-Field scaled(const Field& f, double factor) {
-  if (f.is_constant()) return factor * f(0, 0);
-  return Field([=](double x, double y) { return factor * f(x, y); });
-}
 
 /// Loads, and what supports prescribe, play no part.
 BoundaryProblem homogeneous(BoundaryProblem problem) {
@@ -125,7 +118,7 @@ VibrationSolve::VibrationSolve(const BoundaryProblem& problem, int count, const 
       supports_(support_points(problem_, {})),
       finest_mass_(problem_, density),
       shift_(shift_of(problem_, motions_, density)),
-      system_(problem_, scaled(density, shift_), supports_.constraints),
+      system_(problem_, density.affine(shift_), supports_.constraints),
       projection_(system_),
       mass_(masses(finest_mass_, system_.hierarchy())) {
   const auto unknowns = kept_functions(system_.space()), held = supports_.constraints.size();
@@ -137,14 +130,8 @@ VibrationSolve::VibrationSolve(const BoundaryProblem& problem, int count, const 
 
 VibrationSolve::Motions VibrationSolve::motions_on(int level) const {
   const auto& space = system_.hierarchy()[level].space;
-  const auto &x = problem_.region.x, &y = problem_.region.y;
-  const auto n = static_cast<Index>(space.size());
-  Motions result{MatrixXd::Zero(n, motions_.count()), MatrixXd(n, motions_.count())};
+  Motions result{motions_.functions(space), MatrixXd(static_cast<Index>(space.size()), motions_.count())};
   for (Index k = 0; k < result.q.cols(); ++k) {
-    const auto weights = motions_.motions().col(k);
-    LinearFunction{weights[0], 2 * weights[1] / x.length(), 2 * weights[2] / y.length(), (x.lower() + x.upper()) / 2,
-                   (y.lower() + y.upper()) / 2}
-        .add_to(space, column(result.q, k));
     clear_removed(space, column(result.q, k));
     mass_[static_cast<std::size_t>(level)].apply(column(result.q, k), column(result.mq, k));
   }
@@ -268,7 +255,6 @@ Mode VibrationSolve::mode(const MatrixXd& vectors, Index k, double residual) con
 }
 
 Vibration VibrationSolve::run() {
-  const auto start = std::chrono::steady_clock::now();
   Vibration result;
   result.unknowns = kept_functions(system_.space());
   const Motions motions = motions_on(0);
@@ -284,7 +270,6 @@ Vibration VibrationSolve::run() {
     std::ranges::stable_sort(elastic, {}, &Mode::eigenvalue);
     std::ranges::move(elastic, std::back_inserter(result.modes));
   }
-  result.seconds = {{"modes", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
   return result;
 }
 
@@ -292,7 +277,10 @@ Vibration VibrationSolve::run() {
 
 Vibration vibration(const BoundaryProblem& problem, int count, const Field& density,
                     const BoundarySolveOptions& options) {
-  return VibrationSolve(problem, count, density, options).run();
+  std::vector<PhaseTime> seconds;
+  auto result = timed(seconds, "modes", [&] { return VibrationSolve(problem, count, density, options).run(); });
+  result.seconds = std::move(seconds);
+  return result;
 }
 
 std::vector<Mode> vibration_modes(const BoundaryProblem& problem, int count, const Field& density,

@@ -165,6 +165,12 @@ Outcome run_shell(const Folder& folder, const std::string& line) {
   return run(folder.path(), {"sh", "-c", "PATH='" + path + "':$PATH; " + line}, {});
 }
 
+Outcome expect_success(const Folder& folder, const std::string& line, const RunOptions& options) {
+  Outcome run = run_batten(folder, words(line), options);
+  EXPECT_EQ(run.status, 0) << line << '\n' << run.err;
+  return run;
+}
+
 void expect_refusal(const Outcome& outcome, int status, const std::string& message) {
   EXPECT_EQ(outcome.status, status) << outcome.out;
   EXPECT_THAT(outcome.err, testing::HasSubstr(message));

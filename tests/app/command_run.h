@@ -54,6 +54,9 @@ Outcome run_batten(const Folder& folder, const std::vector<std::string>& argumen
 /// Runs a line of the shell in the folder; `batten` on its path is the command under test.
 Outcome run_shell(const Folder& folder, const std::string& line);
 
+/// Runs `batten` with the words of a line, and expects exit status 0.
+Outcome expect_success(const Folder& folder, const std::string& line, const RunOptions& options = {});
+
 /// A refusal: this exit status and one line on standard error that holds the message.
 void expect_refusal(const Outcome& outcome, int status, const std::string& message);
 

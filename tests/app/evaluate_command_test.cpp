@@ -13,12 +13,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-Outcome expect_success(const Folder& folder, const std::string& line, const RunOptions& options = {}) {
-  Outcome run = run_batten(folder, words(line), options);
-  EXPECT_EQ(run.status, 0) << line << '\n' << run.err;
-  return run;
-}
-
 void expect_failure(const Folder& folder, const std::string& line, int status, const std::string& message) {
   const std::vector<std::string> before = folder.names();
   const Outcome run = run_batten(folder, words(line));

@@ -44,13 +44,6 @@ std::string table_of(const std::vector<Point>& points, Function f, const std::st
   return text.str();
 }
 
-// The line fits without a word of complaint.
-Outcome expect_success(const Folder& folder, const std::string& line, const RunOptions& options = {}) {
-  Outcome run = run_batten(folder, words(line), options);
-  EXPECT_EQ(run.status, 0) << line << '\n' << run.err;
-  return run;
-}
-
 nlohmann::json report_of(const Folder& folder, const std::string& line) {
   expect_success(folder, line + " --report report.json");
   return nlohmann::json::parse(folder.read("report.json"));

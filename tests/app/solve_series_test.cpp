@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/problem_templates.h>
 #include <batten/tests/app/command_run.h>
+#include <batten/tests/app/solve_problems.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -12,16 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::SizeIs;
-
-const std::string all_fixed =
-    "[sides]\nleft = {value = 0}\nright = {value = 0}\nbottom = {value = 0}\ntop = {value = 0}\n";
-const std::string square = "x = [0, 1]\ny = [0, 1]\ncells = [16, 16]\n";
-
-Outcome expect_success(const Folder& folder, const std::string& line) {
-  Outcome run = run_batten(folder, words(line));
-  EXPECT_EQ(run.status, 0) << line << '\n' << run.err;
-  return run;
-}
 
 nlohmann::json json_of(const Folder& folder, const std::string& name) {
   return nlohmann::json::parse(folder.read(name));
