@@ -69,7 +69,8 @@ std::string cost_line(const FitAccount& account) {
 }  // namespace
 
 std::string summary_of(const FitAccount& account) {
-  return points_line(account) + '\n' + grid_text(account.result->solution.region(), account.result->solution.degree()) +
+  const Solution& solution = account.result->solution;
+  return points_line(account) + '\n' + grid_text(solution.region(), solution.degree(), solution.coefficients().size()) +
          '\n' + surface_line(account) + '\n' + residual_line(account) + '\n' + cost_line(account) + '\n';
 }
 

@@ -2,8 +2,6 @@
 #include <batten/app/grid_text.h>
 #include <batten/domains/number_text.h>
 
-#include <cstdint>
-
 namespace batten {
 namespace {
 
@@ -13,8 +11,7 @@ std::string interval_text(const Interval& interval) {
 
 }  // namespace
 
-std::string grid_text(const Rectangle& region, int degree) {
-  const auto unknowns = static_cast<std::int64_t>(region.x.cells() + degree) * (region.y.cells() + degree);
+std::string grid_text(const Rectangle& region, int degree, std::size_t unknowns) {
   return std::to_string(region.x.cells()) + " x " + std::to_string(region.y.cells()) + " cells of degree " +
          std::to_string(degree) + " on x " + interval_text(region.x) + ", y " + interval_text(region.y) + ", " +
          std::to_string(unknowns) + " unknowns";

@@ -4,6 +4,8 @@
 #include <batten/app/problem_file.h>
 #include <batten/app/solve_arguments.h>
 #include <batten/fem/boundary_solver.h>
+#include <batten/fem/hierarchy.h>
+#include <batten/fem/side_data.h>
 
 #include <array>
 #include <optional>
@@ -49,6 +51,9 @@ struct SolveAccount {
   std::vector<PhaseTime> seconds;  ///< of all phases, in order, and the total
 
   const BoundaryProblem& problem() const { return file->problem; }
+  std::size_t unknowns() const {
+    return finest_space(problem().region, problem().degree, {}, side_conditions(problem())).kept();
+  }
   bool is_plate() const { return file->problem.is_plate(); }
 };
 

@@ -25,7 +25,8 @@ void write_rest(SolveWork& work) {
     work.progress.show("moments and forces");
     const auto& plate = std::get<KirchhoffPlate>(work.file.problem.material);
     for (PointArray& array : force_samples(result.solution, plate)) grid.arrays.push_back(std::move(array));
-    work.account.corners = corner_forces(result.solution, plate);
+    const auto& sides = work.file.problem.sides;
+    if (!sides.left.periodic && !sides.bottom.periodic) work.account.corners = corner_forces(result.solution, plate);
   }
   for (const PointArray& array : grid.arrays)
     if (array.components == 1) work.account.extremes.push_back(extremes_of(grid, array));

@@ -75,9 +75,7 @@ Json report_json(const SolveAccount& account) {
   json["cells"] = {region.x.cells(), region.y.cells()};
   json["degree"] = problem.degree;
   json["region"] = {region.x.lower(), region.x.upper(), region.y.lower(), region.y.upper()};
-  json["unknowns"] = account.result ? account.result->unknowns
-                                    : static_cast<std::size_t>(region.x.cells() + problem.degree) *
-                                          static_cast<std::size_t>(region.y.cells() + problem.degree);
+  json["unknowns"] = account.unknowns();
   if (account.result) add_result(account, json);
   if (account.file->modes) json["modes"] = modes_json(account);
   if (account.file->motion) json["frames"] = frames_json(account);

@@ -108,7 +108,7 @@ double frequency(double eigenvalue) { return angular_frequency(eigenvalue) / (2 
 
 std::string summary_of(const SolveAccount& account) {
   std::string text = problem_line(account) + '\n';
-  text += grid_text(account.problem().region, account.problem().degree) + '\n';
+  text += grid_text(account.problem().region, account.problem().degree, account.unknowns()) + '\n';
   if (account.result) text += result_text(account);
   if (account.file->modes) text += modes_text(account);
   if (account.file->motion) text += motion_text(account);

@@ -104,6 +104,8 @@ BandedRows lengthened(BandedRows brief, int rows, int columns, int period, int s
 /// Inner products of the splines on a short interval, by the orders of the derivatives.
 struct SplineBasis::Derived {
   std::vector<int> breakpoints;
+  EndKnots ends;
+  std::vector<double> periodic_end;  // degree x degree, of a periodic basis
   std::mutex mutex;
   std::map<std::pair<int, int>, BandedRows> products;
 };
@@ -114,7 +116,8 @@ int SplineBasis::unit() const { return interval_.is_uniform() ? interval_.regula
 
 SplineBasis SplineBasis::on(const Interval& interval, const EndConditions& ends) const {
   SplineBasis other(interval, degree_, ends);
-  if (other.derived_->breakpoints == derived_->breakpoints) other.derived_ = derived_;
+  if (other.derived_->breakpoints == derived_->breakpoints && other.derived_->ends == derived_->ends)
+    other.derived_ = derived_;
   return other;
 }
 
@@ -125,6 +128,7 @@ SplineBasis::SplineBasis(const Interval& interval, int degree, const EndConditio
       stored_pieces_(short_cells(interval.cells(), degree)),
       derived_(std::make_shared<Derived>()) {
   derived_->breakpoints = short_breakpoints(interval, degree, unit());
+  derived_->ends = is_periodic() ? EndKnots::Continued : EndKnots::Repeated;
   if (degree < 0 || degree > max_degree)
     throw InvalidInput("SplineBasis: expected a degree from 0 to " + std::to_string(max_degree) + ", found " +
                        std::to_string(degree));
@@ -132,11 +136,20 @@ SplineBasis::SplineBasis(const Interval& interval, int degree, const EndConditio
   if (degree < 2 && (has_slope(ends.lower) || has_slope(ends.upper)))
     throw InvalidInput("SplineBasis: expected degree >= 2 for a prescribed derivative, found degree " +
                        std::to_string(degree));
-  if (ends.removed() >= size())
+  if ((ends.upper == EndCondition::Periodic) != is_periodic())
+    throw InvalidInput("SplineBasis: expected periodic conditions at both ends, found them at one");
+  if (is_periodic() && (interval.cells() < 2 * degree + 1 || !interval.is_uniform()))
+    throw InvalidInput("SplineBasis: expected at least " + std::to_string(2 * degree + 1) +
+                       " equal cells between periodic ends, found " + std::to_string(interval.cells()) +
+                       (interval.is_uniform() ? "" : " that differ"));
+  if (kept() <= 0)
     throw InvalidInput("SplineBasis: expected more cells: the conditions at the ends take away " +
-                       std::to_string(ends.removed()) + " of " + std::to_string(size()) + " functions");
+                       std::to_string(size() - kept()) + " of " + std::to_string(size()) + " functions");
+  if (is_periodic())
+    for (const auto& row : periodic_end(degree))
+      for (const auto& weight : row) derived_->periodic_end.push_back(weight.convert_to<double>());
   const auto n = static_cast<std::size_t>(degree) + 1;
-  for (const auto& piece : spline_pieces(short_breakpoints(interval, degree), degree))
+  for (const auto& piece : spline_pieces(short_breakpoints(interval, degree), degree, derived_->ends))
     for (std::size_t order = 0; order < n; ++order)
       for (std::size_t p = 0; p < n; ++p)
         for (std::size_t a = 0; a < n; ++a) {
@@ -144,6 +157,10 @@ SplineBasis::SplineBasis(const Interval& interval, int degree, const EndConditio
           for (std::size_t k = 0; k < order; ++k) c *= Rational(static_cast<long>(p + order - k)) / piece.length;
           pieces_.push_back(c.convert_to<double>());
         }
+}
+
+int SplineBasis::kept() const {
+  return size() - images() - EndConditions::removed_at(ends_.lower) - EndConditions::removed_at(ends_.upper);
 }
 
 int SplineBasis::piece_of(int cell) const {
@@ -193,7 +210,7 @@ SplineBasis::Local SplineBasis::at(double t, int order) const {
       evaluate_piece<6>(c, u, local.values.data());
       break;
   }
-  if (!ends_.are_free()) constrain(local);
+  if (!ends_.are_free() && !is_periodic()) constrain(local);
   return local;
 }
 
@@ -206,8 +223,36 @@ void SplineBasis::constrain(Local& local) const {
     if (is_removed(local.first + a)) local.values[static_cast<std::size_t>(a)] = 0;
 }
 
+std::vector<double> SplineBasis::greville() const {
+  std::vector<double> result;
+  for (int i = 0; i < size(); ++i) {
+    double offset = 0;
+    for (int k = 1; k <= degree_; ++k)
+      offset += interval_.breakpoints()[static_cast<std::size_t>(std::clamp(i + k - degree_, 0, interval_.cells()))];
+    result.push_back(interval_.lower() +
+                     interval_.length() * (offset / (static_cast<double>(degree_) * interval_.finest_cells())));
+  }
+  return result;
+}
+
+BandedRows SplineBasis::subspace_restriction() const { return batten::subspace_restriction(size(), degree_, ends_); }
+
+/// Row j needs c_j and those behind it only.
+void SplineBasis::apply_periodic_end(double* c, std::ptrdiff_t stride) const {
+  for (int j = 0; j < degree_; ++j) {
+    double sum = 0;
+    for (int k = j; k < degree_; ++k)
+      sum += derived_->periodic_end[static_cast<std::size_t>(j * degree_ + k)] * c[k * stride];
+    c[j * stride] = sum;
+  }
+}
+
 void SplineBasis::to_unconstrained(double* c, std::ptrdiff_t stride) const {
   const std::ptrdiff_t last = size() - 1;
+  if (is_periodic()) {
+    apply_periodic_end(c, stride);
+    return apply_periodic_end(c + last * stride, -stride);
+  }
   for (int i = 0; i < EndConditions::removed_at(ends_.lower); ++i) c[i * stride] = 0;
   for (int i = 0; i < EndConditions::removed_at(ends_.upper); ++i) c[(last - i) * stride] = 0;
   if (ends_.lower == EndCondition::Flat) c[0] = c[stride];
@@ -216,8 +261,8 @@ void SplineBasis::to_unconstrained(double* c, std::ptrdiff_t stride) const {
 
 namespace {
 
-BandedRows short_inner_products(std::span<const int> breakpoints, int degree, int r, int s) {
-  const auto products = exact_inner_products(breakpoints, degree, r, s);
+BandedRows short_inner_products(std::span<const int> breakpoints, EndKnots ends, int degree, int r, int s) {
+  const auto products = exact_inner_products(breakpoints, degree, r, s, ends);
   const int n = static_cast<int>(products.size());
   ExactRows exact{n, {}, {}};
   for (int i = 0; i < n; ++i) {
@@ -234,15 +279,17 @@ BandedRows short_inner_products(std::span<const int> breakpoints, int degree, in
 BandedRows SplineBasis::inner_products(int r, int s) const {
   const std::lock_guard lock(derived_->mutex);
   auto& brief = derived_->products[{r, s}];
-  if (brief.rows == 0) brief = short_inner_products(derived_->breakpoints, degree_, r, s);
+  if (brief.rows == 0) brief = short_inner_products(derived_->breakpoints, derived_->ends, degree_, r, s);
   auto whole = lengthened(brief, size(), size(), 1, 1);
   whole.scale *= std::pow(unit(), 1 - r - s);
-  return ends_.are_free() ? whole : with_constrained_rows(with_constrained_columns(whole, ends_), ends_);
+  if (ends_.are_free() || is_periodic()) return whole;
+  return with_constrained_rows(with_constrained_columns(whole, ends_), ends_);
 }
 
 BandedRows SplineBasis::refinement(const SplineBasis& finer) const {
   if (finer.degree_ != degree_ || finer.interval_.cells() / 2 != interval_.cells() || finer.ends_ != ends_)
     throw InvalidInput("SplineBasis::refinement: expected the next finer basis of the same degree and ends");
+  if (is_periodic()) return periodic_refinement(interval_.cells(), degree_);
   const int fine_cells = std::min(finer.interval_.cells(), 2 * (3 * degree_ + 4) + (finer.interval_.cells() & 1));
   const auto all = finer.interval_.breakpoints();
   std::vector<int> fine(all.begin(), all.begin() + fine_cells + 1), coarse;
@@ -290,7 +337,7 @@ std::vector<Rational> mean_of_limits(const std::vector<Rational>& before, const 
 }  // namespace
 
 BandedRows SplineBasis::samples(int r) const {
-  const auto pieces = spline_pieces(short_breakpoints(interval_, degree_), degree_);
+  const auto pieces = spline_pieces(short_breakpoints(interval_, degree_), degree_, derived_->ends);
   ExactRows exact{static_cast<int>(pieces.size()) + degree_, {}, {}};
   for (std::size_t i = 0; i <= pieces.size(); ++i) {
     const bool is_end = i == pieces.size(), jumps = r == degree_ && i > 0 && !is_end;
@@ -301,21 +348,24 @@ BandedRows SplineBasis::samples(int r) const {
   }
   trim(exact);
   const auto whole = lengthened(to_doubles(exact), interval_.cells() + 1, size(), 1, 1);
-  return ends_.are_free() ? whole : with_constrained_columns(whole, ends_);
+  return ends_.are_free() || is_periodic() ? whole : with_constrained_columns(whole, ends_);
 }
 
 BandedRows SplineBasis::differences() const {
   const auto b = short_breakpoints(interval_, degree_);
   const int cells = static_cast<int>(b.size()) - 1;
   ExactRows exact{cells + degree_, {}, {}};
-  const auto knot = [&](int i) { return Rational(b[static_cast<std::size_t>(std::clamp(i - degree_, 0, cells))]); };
+  const auto knot = [&](int i) {
+    const int k = std::clamp(i - degree_, 0, cells), beyond = is_periodic() ? i - degree_ - k : 0;
+    return Rational(b[static_cast<std::size_t>(k)] + beyond * (b[1] - b[0]));
+  };
   for (int i = 0; i + 1 < cells + degree_; ++i) {
     const Rational slope = Rational(degree_) / (knot(i + degree_ + 1) - knot(i + 1));
     exact.first.push_back(i);
     exact.entries.push_back({-slope, slope});
   }
   const auto whole = lengthened(to_doubles(exact), size() - 1, size(), 1, 1);
-  return ends_.are_free() ? whole : with_constrained_columns(whole, ends_);
+  return ends_.are_free() || is_periodic() ? whole : with_constrained_columns(whole, ends_);
 }
 
 }  // namespace batten

@@ -27,8 +27,8 @@ public:
     std::array<double, max_degree + 1> values{};
   };
 
-  /// Throws InvalidInput unless 0 <= degree <= max_degree, and unless conditions on derivatives have degree >= 2 and
-  /// leave a function.
+  /// Throws InvalidInput unless 0 <= degree <= max_degree, conditions on derivatives have degree >= 2 and leave a
+  /// function, and periodic ones are at both ends of at least 2 degree + 1 equal cells.
   SplineBasis(const Interval& interval, int degree, const EndConditions& ends = {});
 
   const Interval& interval() const { return interval_; }
@@ -36,8 +36,16 @@ public:
   const EndConditions& ends() const { return ends_; }
   /// True if the conditions at the ends take function i away.
   bool is_removed(int i) const {
-    return i < EndConditions::removed_at(ends_.lower) || size() - 1 - i < EndConditions::removed_at(ends_.upper);
+    return i < EndConditions::removed_at(ends_.lower) || size() - 1 - i < EndConditions::removed_at(ends_.upper) ||
+           i >= size() - images();
   }
+  /// How many functions are left.
+  int kept() const;
+  bool is_periodic() const { return ends_.is_periodic(); }
+  /// Of a periodic basis: the last functions, which are images of the first.
+  int images() const { return is_periodic() ? degree_ : 0; }
+  /// The function whose image i is, or i itself.
+  int original(int i) const { return i < size() - images() ? i : i - interval_.cells(); }
   int size() const { return interval_.cells() + degree_; }
 
   /// Derivative of the given order (0: the value) of the functions of the cell that holds t, with respect to t.
@@ -54,6 +62,10 @@ public:
   BandedRows samples(int r) const;
   /// Coefficients of the derivative with respect to t, in the basis of degree - 1: (size() - 1) x size().
   BandedRows differences() const;
+  /// T^T, size() x size(): T holds the coefficients of the functions in the basis unconstrained().
+  BandedRows subspace_restriction() const;
+  /// Greville abscissae of the functions of unconstrained(), as coordinates: the coefficients of t [Greville 1967].
+  std::vector<double> greville() const;
   /// The basis of the next coarser level.
   SplineBasis coarser() const { return on(interval_.coarser(), ends_); }
   /// All splines of this degree: no conditions at the ends.
@@ -69,6 +81,7 @@ private:
   int piece_of(int cell) const;
   int unit() const;
   void constrain(Local& local) const;
+  void apply_periodic_end(double* coefficients, std::ptrdiff_t stride) const;
 
   Interval interval_;
   int degree_;

@@ -8,10 +8,15 @@ namespace {
 
 using Polynomial = std::vector<Rational>;
 
-std::vector<Rational> clamped_knots(std::span<const int> breakpoints, int degree) {
-  std::vector<Rational> knots(static_cast<std::size_t>(degree), Rational(breakpoints.front()));
+std::vector<Rational> all_knots(std::span<const int> breakpoints, int degree, EndKnots ends) {
+  const std::size_t last = breakpoints.size() - 1;
+  const bool continued = ends == EndKnots::Continued;
+  const int first_step = continued ? breakpoints[1] - breakpoints[0] : 0;
+  const int last_step = continued ? breakpoints[last] - breakpoints[last - 1] : 0;
+  std::vector<Rational> knots;
+  for (int k = degree; k > 0; --k) knots.emplace_back(breakpoints.front() - k * first_step);
   for (int b : breakpoints) knots.emplace_back(b);
-  knots.insert(knots.end(), static_cast<std::size_t>(degree), Rational(breakpoints.back()));
+  for (int k = 1; k <= degree; ++k) knots.emplace_back(breakpoints.back() + k * last_step);
   return knots;
 }
 
@@ -66,16 +71,17 @@ SplinePiece piece_of_cell(const std::vector<Rational>& t, std::size_t cell, std:
 
 }  // namespace
 
-std::vector<SplinePiece> spline_pieces(std::span<const int> breakpoints, int degree) {
-  const auto knots = clamped_knots(breakpoints, degree);
+std::vector<SplinePiece> spline_pieces(std::span<const int> breakpoints, int degree, EndKnots ends) {
+  const auto knots = all_knots(breakpoints, degree, ends);
   std::vector<SplinePiece> pieces;
   for (std::size_t cell = 0; cell + 1 < breakpoints.size(); ++cell)
     pieces.push_back(piece_of_cell(knots, cell, static_cast<std::size_t>(degree)));
   return pieces;
 }
 
-std::vector<std::vector<Rational>> exact_inner_products(std::span<const int> breakpoints, int degree, int r, int s) {
-  const auto pieces = spline_pieces(breakpoints, degree);
+std::vector<std::vector<Rational>> exact_inner_products(std::span<const int> breakpoints, int degree, int r, int s,
+                                                        EndKnots ends) {
+  const auto pieces = spline_pieces(breakpoints, degree, ends);
   const auto d = static_cast<std::size_t>(degree);
   std::vector<std::vector<Rational>> products(pieces.size() + d, std::vector<Rational>(2 * d + 1));
   for (std::size_t cell = 0; cell < pieces.size(); ++cell) {
@@ -91,7 +97,7 @@ std::vector<std::vector<Rational>> exact_inner_products(std::span<const int> bre
 }
 
 std::vector<RefinementColumn> exact_refinement(std::span<const int> coarse, std::span<const int> fine, int degree) {
-  const auto t = clamped_knots(coarse, degree), tau = clamped_knots(fine, degree);
+  const auto t = all_knots(coarse, degree, EndKnots::Repeated), tau = all_knots(fine, degree, EndKnots::Repeated);
   const std::size_t d = static_cast<std::size_t>(degree);
   const std::size_t coarse_size = coarse.size() - 1 + d, fine_size = fine.size() - 1 + d;
   std::vector<RefinementColumn> columns(coarse_size);

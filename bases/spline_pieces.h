@@ -15,13 +15,21 @@ struct SplinePiece {
   std::vector<std::vector<Rational>> coefficients;
 };
 
-/// The pieces of all cells of the clamped B-spline basis (knots at both ends repeated degree + 1 times) on integer
-/// breakpoints, by the Cox-de Boor recursion in rationals [de Boor 1978, ch. IX (14)].
-std::vector<SplinePiece> spline_pieces(std::span<const int> breakpoints, int degree);
+/// The knots at and beyond the ends of the interval.
+enum class EndKnots {
+  Repeated,  ///< degree + 1 times: the clamped basis
+  Continued  ///< as far apart as those of the first and last cell: uniform B-splines, cut off at the ends
+};
 
-/// ∫ N_i^(r) N_j^(s) dt over the whole interval, exact, for all i, j of the clamped basis: entry [i][j - i + degree],
-/// zero where j does not exist. Unit of length: that of the breakpoints.
-std::vector<std::vector<Rational>> exact_inner_products(std::span<const int> breakpoints, int degree, int r, int s);
+/// The pieces of all cells of the B-spline basis on integer breakpoints, by the Cox-de Boor recursion in rationals [de
+/// Boor 1978, ch. IX (14)].
+std::vector<SplinePiece> spline_pieces(std::span<const int> breakpoints, int degree,
+                                       EndKnots ends = EndKnots::Repeated);
+
+/// ∫ N_i^(r) N_j^(s) dt over the whole interval, exact, for all i, j of the basis: entry [i][j - i + degree], zero
+/// where j does not exist. Unit of length: that of the breakpoints.
+std::vector<std::vector<Rational>> exact_inner_products(std::span<const int> breakpoints, int degree, int r, int s,
+                                                        EndKnots ends = EndKnots::Repeated);
 
 /// Weights of the finer basis in each function of the coarser one, N_j = Σ_i R_ij N̂_i, by the Oslo algorithm in
 /// rationals [Cohen, Lyche & Riesenfeld 1980]: column j is returned as [j] = {first fine index, weights...}.

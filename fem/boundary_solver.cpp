@@ -59,7 +59,7 @@ private:
 /// u = g + v
 void BoundarySolve::set_homogeneous_part(const Vector& v) {
   solution_ = system_->whole(v);
-  combine(1, lifting_.coefficients, 1, solution_);
+  if (!lifting_.coefficients.empty()) combine(1, lifting_.coefficients, 1, solution_);
 }
 
 /// b - A u of the splines that keep the conditions.
@@ -150,12 +150,14 @@ BoundaryResult BoundarySolve::run() {
   run_phase("assemble", [&] {
     system_.emplace(problem_, 0., supports_.constraints);
     lifting_ = lifting(problem_);
+    if (std::ranges::all_of(lifting_.coefficients, [](double c) { return c == 0; }))
+      Vector().swap(lifting_.coefficients);
   });
   run_phase("solve", [&] { iterate(); });
   motions_.remove_from(solution_);
   BoundaryResult result{.solution = Solution(problem_.region, problem_.degree, solution_)};
   run_phase("measure", [&] { measure(result); });
-  result.unknowns = system_->multigrid().size();
+  result.unknowns = system_->space().kept();
   result.levels = system_->hierarchy().size();
   result.iterations = iterations_.iterations;
   result.accuracy = iterations_.accuracy;

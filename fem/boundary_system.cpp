@@ -58,6 +58,7 @@ GridPoints in_cells(const BoundarySystem::Constraints& constraints, const Rectan
 std::vector<double> spring_weights(const Hierarchy& hierarchy, const DataTerm& data) {
   constexpr double stiffness = 1e4;
   const auto& level = hierarchy.finest();
+  const auto diagonal = level.energy.diagonal();
   std::vector<double> weights;
   for (std::size_t i = 0; i < data.size(); ++i) {
     const PointRow row = data.row(i);
@@ -65,8 +66,8 @@ std::vector<double> spring_weights(const Hierarchy& hierarchy, const DataTerm& d
     for (int b = 0; b <= hierarchy.degree(); ++b)
       for (int a = 0; a <= hierarchy.degree(); ++a) {
         const double value = row.x[static_cast<std::size_t>(a)] * row.y[static_cast<std::size_t>(b)];
-        const int p = row.first_x + a, q = row.first_y + b;
-        if (value != 0) give += value * value / (level.bound * level.energy.entry(p, q, p, q));
+        const auto k = level.space.original(row.first_x + a, row.first_y + b);
+        if (value != 0) give += value * value / (level.bound * diagonal[k]);
       }
     if (!(give > 0))
       throw InvalidInput("solve_boundary_problem: expected supports away from sides that are fixed already");
@@ -81,7 +82,7 @@ BoundarySystem::BoundarySystem(const BoundaryProblem& problem, const Field& mass
     : whole_space_(finest_space(problem.region, problem.degree)),
       constant_energy_(constant_energy(problem, mass)),
       whole_energy_(constant_energy_ ? Operator(*constant_energy_, whole_space_)
-                                     : Operator(varying_energy(problem, mass))),
+                                     : Operator(varying_energy(problem, mass), whole_space_)),
       hierarchy_(hierarchy_of(problem, constant_energy_, whole_energy_)),
       points_(in_cells(constraints, problem.region)),
       order_(cell_order(points_, space())),
@@ -105,6 +106,7 @@ std::vector<double> BoundarySystem::apply_whole(std::span<const double> whole) c
 std::vector<double> BoundarySystem::restricted(std::span<const double> whole) const {
   std::vector<double> result(whole.size());
   subspace_restriction(space()).apply(whole, result);
+  fold_images(space(), result);
   return result;
 }
 
@@ -119,12 +121,12 @@ std::vector<double> BoundarySystem::whole(std::span<const double> v) const {
 Operator whole_energy(const BoundaryProblem& problem) {
   if (const auto energy = constant_energy(problem, 0))
     return Operator(*energy, finest_space(problem.region, problem.degree));
-  return Operator(varying_energy(problem, 0));
+  return Operator(varying_energy(problem, 0), finest_space(problem.region, problem.degree));
 }
 
 Operator restricted_energy(const BoundaryProblem& problem, const Operator& whole) {
   const auto space = finest_space(problem.region, problem.degree, {}, side_conditions(problem));
-  if (const auto* stencil = whole.stencil()) return Operator(stencil->galerkin(subspace_restriction(space)));
+  if (const auto* stencil = whole.stencil()) return Operator(stencil->galerkin(subspace_restriction(space)), space);
   return Operator(constant_energy(problem, 0).value(), space);
 }
 

@@ -140,7 +140,7 @@ double predict(const Multigrid& system, std::span<const double> b, std::span<dou
   for (std::size_t k = 1; k < right.size(); ++k) {
     right[k].resize(system.size(k));
     solution[k].resize(system.size(k));
-    system.hierarchy()[static_cast<int>(k) - 1].restriction->apply(k == 1 ? b : right[k - 1], right[k]);
+    system.hierarchy().restrict_from(static_cast<int>(k) - 1, k == 1 ? b : right[k - 1], right[k]);
   }
   double work = 0;
   for (std::size_t k = right.size() - 1; k > 0; --k) {
@@ -154,7 +154,7 @@ double predict(const Multigrid& system, std::span<const double> b, std::span<dou
 
 // A V-cycle that leaves more of the error than `slow` converges better within conjugate gradients; where one leaves
 // more than `standstill` although the one before was not slow, what remains is rounding.
-constexpr double slow = 0.25, standstill = 0.5;
+constexpr double slow = 0.25, standstill = 0.9;
 
 struct CyclesResult {
   IterationResult spent;

@@ -58,6 +58,23 @@ PointRow DataTerm::row(std::size_t point) const {
   return result;
 }
 
+Eigen::SparseMatrix<double> DataTerm::columns() const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const PointRow point = row(i);
+    for (int b = 0; b <= space_.y.degree(); ++b)
+      for (int a = 0; a <= space_.x.degree(); ++a) {
+        const double value = point.x[static_cast<std::size_t>(a)] * point.y[static_cast<std::size_t>(b)];
+        if (value != 0)
+          entries.emplace_back(static_cast<int>(space_.original(point.first_x + a, point.first_y + b)),
+                               static_cast<int>(i), value);
+      }
+  }
+  Eigen::SparseMatrix<double> result(static_cast<Eigen::Index>(space_.size()), static_cast<Eigen::Index>(size()));
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
 /// Calls work(first point, rows) for the points of cell rows begin .. end - 1: all at once where the rows are kept,
 /// else in pieces that are made on the spot.
 template <typename Work>
@@ -133,12 +150,14 @@ void DataTerm::add_adjoint(std::span<const double> v, std::span<double> c) const
       add_point_values(grid(), rows, v.data() + first, c.data());
     });
   });
+  fold_images(space_, c);
 }
 
 void DataTerm::add_normal(double factor, std::span<const double> c, std::span<double> out) const {
   Wavefront(space_.y.size(), 1, space_.y.degree()).run([&](int, int j, RowRange range) {
     add_normal_row(j, range, factor, c, out);
   });
+  fold_images(space_, out);
 }
 
 void DataTerm::add_normal_row(int j, RowRange range, double factor, std::span<const double> c,

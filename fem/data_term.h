@@ -5,6 +5,8 @@
 #include <batten/fem/point_kernels.h>
 #include <batten/fem/symmetric_stencil.h>
 
+#include <Eigen/SparseCore>
+
 #include <span>
 #include <vector>
 
@@ -50,16 +52,19 @@ public:
 
   /// out_i = Σ_j b_i[j] c_j: the spline at the points.
   void values(std::span<const double> c, std::span<double> out) const;
-  /// c += Σ_i v_i b_i
+  /// c += Σ_i v_i b_i. On a periodic space, c holds nothing at images before and after; the same is true of add_normal.
   void add_adjoint(std::span<const double> v, std::span<double> c) const;
   /// out += factor Σ_i w_i b_i (b_i · c)
   void add_normal(double factor, std::span<const double> c, std::span<double> out) const;
   /// The same for the rows of a range, upwards: row j is complete after the call for j. Reads rows j - d .. j + d of c,
-  /// at the first row of the range too, and adds to rows j .. j + d of out, as far as they belong to the range.
+  /// at the first row of the range too, and adds to rows j .. j + d of out, as far as they belong to the range. Image
+  /// by image.
   void add_normal_row(int j, RowRange range, double factor, std::span<const double> c, std::span<double> out) const;
 
   /// b_i of one point.
   PointRow row(std::size_t point) const;
+  /// All b_i, each a column of size() numbers of the space; 0 at images.
+  Eigen::SparseMatrix<double> columns() const;
   /// Points whose cell row is r: first_point(r) .. first_point(r + 1) - 1.
   std::size_t first_point(int cell_row) const { return row_start_[static_cast<std::size_t>(cell_row)]; }
   /// Σ_i w_i b_i b_i^T, in the stencil form only.

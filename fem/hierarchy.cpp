@@ -24,13 +24,14 @@ Coarsening choose_coarsening(const SplineSpace& s) {
   const int least = s.size() > direct_size ? 2 : 2 * coarsest_cells;
   const auto can_halve = [&](const SplineBasis& b) {
     const int cells = b.interval().cells();
-    return cells >= least && cells / 2 + b.degree() > b.ends().removed();
+    if (b.is_periodic()) return cells % 2 == 0 && cells / 2 > std::max(least / 2 - 1, 2 * b.degree());
+    return cells >= least && cells / 2 + b.degree() > b.size() - b.kept();
   };
   return {can_halve(s.x) && hx < 1.5 * hy, can_halve(s.y) && hy < 1.5 * hx};
 }
 
 /// Largest eigenvalue of diag(E)^-1 E by power iteration, raised by 5 % for what the iteration has not reached.
-double largest_eigenvalue(const Operator& e) {
+double largest_eigenvalue(const Operator& e, const SplineSpace& space) {
   const auto diagonal = e.diagonal();
   std::mt19937_64 random(1);
   std::vector<double> v(diagonal.size()), w(v.size());
@@ -38,6 +39,7 @@ double largest_eigenvalue(const Operator& e) {
     v[i] = diagonal[i] > 0 ? static_cast<double>(random() >> 11) * 0x1p-52 - 1 : 0;
   double eigenvalue = 0;
   for (int iteration = 0; iteration < 40; ++iteration) {
+    fill_images(space, v);
     e.apply(v, w);
     double square = 0, before = 0;
     for (std::size_t i = 0; i < v.size(); ++i) {
@@ -63,10 +65,10 @@ public:
   }
 
   double of(const SplineSpace& space) {
-    if (!is_brief(space.x) || !is_brief(space.y)) return largest_eigenvalue(Operator(energy_, represented(space)));
+    if (!is_brief(space.x) || !is_brief(space.y)) return bound_of(represented(space));
     const double shape = cell_length(space.x, space.hx) / cell_length(space.y, space.hy);
     if (!homogeneous_ || known_shape_ == 0 || std::abs(shape / known_shape_ - 1) > 1e-9) {
-      known_ = largest_eigenvalue(Operator(energy_, represented(space)));
+      known_ = bound_of(represented(space));
       known_shape_ = shape;
     }
     return known_;
@@ -77,6 +79,8 @@ private:
 
   /// True if a small grid can stand for this direction.
   static bool is_brief(const SplineBasis& b) { return b.interval().is_uniform() && b.interval().cells() > sample; }
+
+  double bound_of(const SplineSpace& space) const { return largest_eigenvalue(Operator(energy_, space), space); }
 
   static SplineSpace represented(const SplineSpace& space) {
     SplineSpace result = space;
@@ -95,6 +99,16 @@ private:
   bool homogeneous_ = false;
   double known_shape_ = 0, known_ = 0;  // of the latest uniform level
 };
+
+/// Between periodic sides cells must stay equal, so that odd numbers of them cannot be halved.
+void expect_coarse(const SplineSpace& coarsest) {
+  constexpr std::size_t largest = 40'000;
+  if (!coarsest.is_periodic() || coarsest.size() <= largest) return;
+  throw InvalidInput(
+      "Hierarchy: expected a number of cells between periodic sides that can be halved often, as 256 can; found a "
+      "coarsest level of " +
+      std::to_string(coarsest.x.interval().cells()) + " x " + std::to_string(coarsest.y.interval().cells()) + " cells");
+}
 
 }  // namespace
 
@@ -124,17 +138,23 @@ Hierarchy::Hierarchy(const Energy& energy, const Rectangle& region, int degree, 
 Hierarchy::Hierarchy(SymmetricStencil energy, const Rectangle& region, int degree, const Normalisation& normalisation,
                      const SpaceEnds& ends)
     : region_(region) {
-  build(finest_space(region, degree, normalisation, ends), Operator(std::move(energy)));
+  const auto space = finest_space(region, degree, normalisation, ends);
+  build(space, Operator(std::move(energy), space));
+}
+
+void Hierarchy::restrict_from(int k, std::span<const double> r, std::span<double> coarse) const {
+  (*this)[k].restriction->apply(r, coarse);
+  fold_images((*this)[k + 1].space, coarse);
 }
 
 void Hierarchy::build(SplineSpace space, Operator energy) {
   std::optional<Bounds> bounds;
   if (energy_) bounds.emplace(*energy_);
   for (;;) {
-    const double bound = bounds ? bounds->of(space) : largest_eigenvalue(energy);
+    const double bound = bounds ? bounds->of(space) : largest_eigenvalue(energy, space);
     levels_.push_back({space, std::move(energy), bound, {}, {}});
     const auto coarsen = choose_coarsening(space);
-    if (!coarsen.x && !coarsen.y) return;
+    if (!coarsen.x && !coarsen.y) return expect_coarse(space);
     SplineSpace coarse = space;
     BandedRows rx = identity_rows(space.x.size()), ry = identity_rows(space.y.size());
     if (coarsen.x) {
@@ -148,7 +168,8 @@ void Hierarchy::build(SplineSpace space, Operator energy) {
     auto& level = levels_.back();
     level.refinement.emplace(std::vector<TensorSum::Term>{{1., ry, rx}});
     level.restriction.emplace(std::vector<TensorSum::Term>{{1., transposed(ry), transposed(rx)}});
-    energy = energy_ ? Operator(*energy_, coarse) : Operator(level.energy.stencil()->galerkin(*level.restriction));
+    energy =
+        energy_ ? Operator(*energy_, coarse) : Operator(level.energy.stencil()->galerkin(*level.restriction), coarse);
     space = coarse;
   }
 }

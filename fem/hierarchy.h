@@ -6,6 +6,7 @@
 #include <batten/fem/operator.h>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace batten {
@@ -36,7 +37,8 @@ public:
     std::optional<TensorSum> restriction;  ///< R^T
   };
 
-  /// Degree 1 to 5 and at least the order of every derivative, at least 2 cells each way; InvalidInput otherwise.
+  /// Degree 1 to 5 and at least the order of every derivative, at least 2 cells each way, numbers of cells between
+  /// periodic sides that can be halved until a direct solution is cheap; InvalidInput otherwise.
   Hierarchy(const Energy& energy, const Rectangle& region, int degree, const Normalisation& normalisation = {},
             const SpaceEnds& ends = {});
   /// Varying coefficients: E on the finest level is given, as a matrix on finest_space(...) of the same arguments.
@@ -50,6 +52,8 @@ public:
   int size() const { return static_cast<int>(levels_.size()); }
   const Level& operator[](int k) const { return levels_[static_cast<std::size_t>(k)]; }
   const Level& finest() const { return levels_.front(); }
+  /// coarse = R^T r from level k to the next coarser one.
+  void restrict_from(int k, std::span<const double> r, std::span<double> coarse) const;
 
 private:
   void build(SplineSpace space, Operator finest);

@@ -29,32 +29,44 @@ std::variant<TensorSum, SymmetricStencil> finest_matrix(const BoundaryProblem& p
 
 }  // namespace
 
-Mass::Mass(const BoundaryProblem& problem, const Field& density) : matrix_(finest_matrix(problem, density)) {}
+Mass::Mass(const BoundaryProblem& problem, const Field& density)
+    : Mass(finest_space(problem.region, problem.degree, {}, side_conditions(problem)),
+           finest_matrix(problem, density)) {}
 
 Mass Mass::coarser(const Hierarchy::Level& finer, const Hierarchy::Level& coarse) const {
   if (const auto* stencil = std::get_if<SymmetricStencil>(&matrix_))
-    return Mass(stencil->galerkin(finer.restriction.value()));
-  return Mass(products(std::get<TensorSum>(matrix_).terms().front().factor, coarse.space));
+    return Mass(coarse.space, stencil->galerkin(finer.restriction.value()));
+  return Mass(coarse.space, products(std::get<TensorSum>(matrix_).terms().front().factor, coarse.space));
 }
 
 void Mass::apply(std::span<const double> v, std::span<double> out) const {
-  if (const auto* tensor = std::get_if<TensorSum>(&matrix_)) return tensor->apply(v, out);
-  std::fill(out.begin(), out.end(), 0.);
-  std::get<SymmetricStencil>(matrix_).add_product(1, v, out);
+  if (const auto* tensor = std::get_if<TensorSum>(&matrix_)) {
+    tensor->apply(v, out);
+  } else {
+    std::fill(out.begin(), out.end(), 0.);
+    std::get<SymmetricStencil>(matrix_).add_product(1, v, out);
+  }
+  fold_images(space_, out);
 }
 
 MassInverse::Factor::Factor(const SplineBasis& basis, double unit) : size(basis.size()), degree(basis.degree()) {
   const BandedRows mass = basis.inner_products(0);
   const int width = degree + 1;
   rows.assign(static_cast<std::size_t>(size * width), 0.);
+  // around a circle all rows are alike
+  const int middle = size / 2;
+  const auto of_mass = [&](int i, int j) {
+    if (basis.is_removed(i) || basis.is_removed(j)) return 0.;
+    return unit * (basis.is_periodic() ? mass(middle, middle + j - i) : mass(i, j));
+  };
   const auto entry = [&](int i, int j) -> double& {
     return rows[static_cast<std::size_t>(i * width + j - i + degree)];
   };
   for (int i = 0; i < size; ++i) {
     const int first = std::max(0, i - degree);
-    double pivot = unit * mass(i, i);
+    double pivot = of_mass(i, i);
     for (int j = first; j < i; ++j) {
-      double sum = unit * mass(i, j);  // L_ij D_jj
+      double sum = of_mass(i, j);  // L_ij D_jj
       for (int k = std::max(first, j - degree); k < j; ++k) sum -= entry(i, k) * entry(j, k);
       entry(i, j) = sum;
     }
@@ -84,7 +96,7 @@ void MassInverse::Factor::solve(double* b, std::ptrdiff_t stride, int lanes) con
 }
 
 MassInverse::MassInverse(const SplineSpace& space, const Rectangle& region)
-    : x_(space.x, region.x.finest_cell_length()), y_(space.y, region.y.finest_cell_length()) {}
+    : space_(space), x_(space.x, region.x.finest_cell_length()), y_(space.y, region.y.finest_cell_length()) {}
 
 void MassInverse::apply(std::span<double> b) const {
   constexpr int lanes = 64;
@@ -95,6 +107,7 @@ void MassInverse::apply(std::span<double> b) const {
   for_blocks(RowBlocks(y_.size, x_.size), [&](int begin, int end) {
     for (int j = begin; j < end; ++j) x_.solve(b.data() + j * nx, 1, 1);
   });
+  fill_images(space_, b);
 }
 
 }  // namespace batten

@@ -19,21 +19,25 @@ public:
   /// On the level below `finer`.
   Mass coarser(const Hierarchy::Level& finer, const Hierarchy::Level& coarse) const;
 
-  /// out = M v.
+  /// out = M v. On a periodic space v has its images, out holds nothing there.
   void apply(std::span<const double> v, std::span<double> out) const;
 
 private:
-  explicit Mass(std::variant<TensorSum, SymmetricStencil> matrix) : matrix_(std::move(matrix)) {}
+  Mass(const SplineSpace& space, std::variant<TensorSum, SymmetricStencil> matrix)
+      : space_(space), matrix_(std::move(matrix)) {}
+  SplineSpace space_;
   std::variant<TensorSum, SymmetricStencil> matrix_;
 };
 
-/// c = M^-1 b for the density 1: two banded matrices of one variable are factored.
+/// c = M^-1 b for the density 1: two banded matrices of one variable are factored. Of periodic directions the matrix is
+/// taken without its corners, which leaves a good preconditioner: see is_exact.
 class MassInverse {
 public:
   explicit MassInverse(const SplineSpace& space, const Rectangle& region);
 
   /// Replaces b by M^-1 b; 0 for functions that the side conditions take away.
   void apply(std::span<double> b) const;
+  bool is_exact() const { return !space_.is_periodic(); }
 
 private:
   /// L D L^T, L with unit diagonal: entry k of row i belongs to column i - degree + k, the last one is 1 / D_ii.
@@ -44,6 +48,7 @@ private:
     /// Solves for `lanes` neighbouring right-hand sides; the entries of each are `stride` apart.
     void solve(double* b, std::ptrdiff_t stride, int lanes) const;
   };
+  SplineSpace space_;
   Factor x_, y_;
 };
 

@@ -20,7 +20,7 @@ constexpr double largest_predicted_stiffness = 1e8;
 
 Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
     : hierarchy_(&hierarchy),
-      streams_(points.size() == 0 && !hierarchy.finest().energy.stencil()),
+      streams_(points.size() == 0 && !hierarchy.finest().energy.stencil() && !hierarchy.finest().space.is_periodic()),
       vectors_(static_cast<std::size_t>(hierarchy.size())),
       degree_(smoothing_degree(hierarchy.degree())),
       repeats_(hierarchy.finest().energy.stencil() != nullptr) {
@@ -85,9 +85,10 @@ void Multigrid::factor_coarsest() {
         for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
           double value = level.lambda() * level.level().energy.entry(i, j, i + dx, j + dy) +
                          level.data().stencil().entry(i, j, dx, dy);
-          if (dx == 0 && dy == 0 && (space.x.is_removed(i) || space.y.is_removed(j))) value = 1;
+          if (dx == 0 && dy == 0 && space.is_removed(i, j)) entries.emplace_back(j * nx + i, j * nx + i, 1.);
           largest = std::max(largest, value);
-          entries.emplace_back((j + dy) * nx + i + dx, j * nx + i, value);
+          const auto [column, row] = std::minmax({space.original(i, j), space.original(i + dx, j + dy)});
+          entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
         }
   Eigen::SparseMatrix<double> lower(nx * ny, nx * ny);
   lower.setFromTriplets(entries.begin(), entries.end());
@@ -122,15 +123,14 @@ void Multigrid::cycle(std::size_t k, std::span<const double> r) const {
   if (k + 1 == levels_.size()) {
     work.x.assign(r.begin(), r.end());
     coarsest_->solve(work.x);
-    return;
+    return fill_images(levels_[k].level().space, work.x);
   }
-  const auto& level = levels_[k].level();
   levels_[k].smooth_first(degree_, r, work);
   if (repeats_ && k + 2 < levels_.size()) {
-    level.restriction->apply(work.r, repeat_[k + 1].right);
+    hierarchy_->restrict_from(static_cast<int>(k), work.r, repeat_[k + 1].right);
     cycle_twice(k + 1);
   } else {
-    level.restriction->apply(work.r, work_[k + 1].r);
+    hierarchy_->restrict_from(static_cast<int>(k), work.r, work_[k + 1].r);
     cycle(k + 1, work_[k + 1].r);
   }
   levels_[k].smooth_last(degree_, work_[k + 1].x, work);

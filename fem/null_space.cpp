@@ -8,27 +8,8 @@
 #include <vector>
 
 namespace batten {
-namespace {
-
-/// Greville abscissae of the clamped basis, as coordinates.
-std::vector<double> greville(const SplineBasis& basis) {
-  const auto& interval = basis.interval();
-  const int d = basis.degree();
-  std::vector<double> result;
-  for (int i = 0; i < basis.size(); ++i) {
-    double offset = 0;
-    for (int k = 1; k <= d; ++k)
-      offset += interval.breakpoints()[static_cast<std::size_t>(std::clamp(i + k - d, 0, interval.cells()))];
-    result.push_back(interval.lower() +
-                     interval.length() * (offset / (static_cast<double>(d) * interval.finest_cells())));
-  }
-  return result;
-}
-
-}  // namespace
-
 void LinearFunction::add_to(const SplineSpace& space, std::span<double> coefficients) const {
-  const auto gx = greville(space.x), gy = greville(space.y);
+  const auto gx = space.x.greville(), gy = space.y.greville();
   std::size_t index = 0;
   for (double gy_j : gy)
     for (double gx_i : gx) coefficients[index++] += (*this)(gx_i, gy_j);

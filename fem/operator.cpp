@@ -13,6 +13,8 @@ BandedRows end_products(const SplineBasis& basis, BandedRows band, bool transpos
   band.scale = 1;
   std::fill(band.weights.begin(), band.weights.end(), 0.);
   const int d = basis.degree(), n = basis.size();
+  band.begin = band.end = n / 2;
+  if (basis.is_periodic()) return band;  // both ends cancel
   for (const bool upper : {false, true}) {
     const double t = upper ? basis.interval().finest_cells() : 0, sign = upper ? 1 : -1;
     const auto slope = basis.at(t, 1), value = basis.at(t);
@@ -23,7 +25,6 @@ BandedRows end_products(const SplineBasis& basis, BandedRows band, bool transpos
           sign * slope.values[static_cast<std::size_t>(a)] * value.values[static_cast<std::size_t>(b)];
     }
   }
-  band.begin = band.end = n / 2;
   return band;
 }
 
@@ -108,32 +109,53 @@ TensorSum build_end_rows(double curvature, const SplineSpace& space) {
   return TensorSum({{-factor, plus(by, 1, byt), kx}, {factor, byt, bx}, {factor, by, bxt}});
 }
 
+/// out += row j of the products times c.
+void add_row(const TensorSum& products, int j, std::span<const double> c, double* out) {
+  std::vector<double> more(static_cast<std::size_t>(products.output_columns()));
+  products.row(j, c.data(), more.data());
+  for (std::size_t i = 0; i < more.size(); ++i) out[i] += more[i];
+}
+
 bool has_free_end(const SplineBasis& basis) {
   return basis.ends().lower == EndCondition::Free || basis.ends().upper == EndCondition::Free;
 }
 
 }  // namespace
 
-TensorSum subspace_restriction(const SplineSpace& space) {
-  return TensorSum({{1., subspace_restriction(space.y.size(), space.y.ends()),
-                     subspace_restriction(space.x.size(), space.x.ends())}});
-}
-
 Operator::Operator(const Energy& energy, const SplineSpace& space)
-    : order_(energy.order()), products_(build_products(energy, space)), inside_(EvenStencil::inside(*products_)) {
+    : order_(energy.order()),
+      images_x_(space.x.images()),
+      images_y_(space.y.images()),
+      products_(build_products(energy, space)),
+      inside_(EvenStencil::inside(*products_)) {
   if (energy.curvature() != 0 && has_free_end(space.y)) end_rows_ = build_end_rows(energy.curvature(), space);
 }
 
-void Operator::row(int j, std::span<const double> c, double* out) const {
+/// Row j of the integrals, image by image.
+void Operator::part(int j, std::span<const double> c, double* out) const {
   if (!products_) {
     std::fill_n(out, columns(), 0.);
     return stencil_.add_row(j, 1, c, out);
   }
   products_->row(j, c.data(), out);
-  if (!end_rows_ || std::min(j, rows() - 1 - j) > 1) return;
-  std::vector<double> more(static_cast<std::size_t>(columns()));
-  end_rows_->row(j, c.data(), more.data());
-  for (std::size_t i = 0; i < more.size(); ++i) out[i] += more[i];
+  if (end_rows_ && std::min(j, rows() - 1 - j) <= 1) add_row(*end_rows_, j, c, out);
+}
+
+void Operator::row(int j, std::span<const double> c, double* out) const {
+  const int first_image = rows() - images_y_;
+  if (j >= first_image) {
+    std::fill_n(out, columns(), 0.);
+    return;
+  }
+  part(j, c, out);
+  if (j < images_y_) {
+    std::vector<double> image(static_cast<std::size_t>(columns()));
+    part(first_image + j, c, image.data());
+    for (std::size_t i = 0; i < image.size(); ++i) out[i] += image[i];
+  }
+  double* image = out + columns() - images_x_;
+  for (int i = 0; i < images_x_; ++i) out[i] += image[i];
+  std::fill_n(image, images_x_, 0.);
 }
 
 void Operator::row(int j, const double* const* c, ColumnRange columns, double* out) const {
@@ -155,6 +177,15 @@ void Operator::apply(std::span<const double> c, std::span<double> out) const {
   });
 }
 
+double Operator::diagonal_entry(int i, int j) const {
+  const int x_period = columns() - images_x_, y_period = rows() - images_y_;
+  if (i >= x_period || j >= y_period) return 0;
+  double sum = 0;
+  for (int q = j; q < rows(); q += y_period)
+    for (int p = i; p < columns(); p += x_period) sum += entry(p, q, p, q);
+  return sum;
+}
+
 RepeatedRows Operator::diagonal_rows() const {
   RowRange repeat;
   if (products_) {
@@ -165,7 +196,7 @@ RepeatedRows Operator::diagonal_rows() const {
   RepeatedRows result(rows(), columns(), repeat);
   for_blocks(RowBlocks(rows(), columns()), [&](int begin, int end) {
     for (int j = begin; j < end; ++j)
-      for (int i = 0; i < columns() && !result.is_repeated(j); ++i) result.row(j)[i] = entry(i, j, i, j);
+      for (int i = 0; i < columns() && !result.is_repeated(j); ++i) result.row(j)[i] = diagonal_entry(i, j);
   });
   return result;
 }

@@ -3,34 +3,20 @@
 
 #include <batten/bases/even_stencil.h>
 #include <batten/bases/repeated_rows.h>
-#include <batten/bases/spline_basis.h>
 #include <batten/bases/tensor_sum.h>
 #include <batten/fem/energy.h>
+#include <batten/fem/spline_space.h>
 #include <batten/fem/symmetric_stencil.h>
 
-#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace batten {
 
-/// The tensor-product spline space of one level: coefficient (i, j) has index i + j * x.size().
-struct SplineSpace {
-  SplineBasis x, y;
-  double hx = 1, hy = 1;  ///< lengths of the finest cells in normalised coordinates
-
-  /// Factor that turns ∫∫ (∂_x^a ∂_y^b p)² in cells into normalised coordinates.
-  double cell_factor(int a, int b) const { return std::pow(hx, 1 - 2 * a) * std::pow(hy, 1 - 2 * b); }
-
-  std::size_t size() const { return static_cast<std::size_t>(x.size()) * static_cast<std::size_t>(y.size()); }
-};
-
-/// T^T of a space with conditions at its ends: T holds the coefficients of its functions among all splines.
-TensorSum subspace_restriction(const SplineSpace& space);
-
 /// E of an energy on a spline space: c · (E c) is the energy of the spline with coefficients c. Symmetric positive
-/// semidefinite.
+/// semidefinite. On a periodic space it takes coefficients with their images and gives forces on the originals, 0 for
+/// images.
 ///
 /// Of an energy with constant coefficients it is built from exact one-dimensional inner products, E = Σ weight ∫∫ (...)
 /// ⊗ (...), and applied as a sum of Kronecker products; no matrix is stored [Warren & Weimer 2001, sec. 6.1]. Varying
@@ -38,7 +24,9 @@ TensorSum subspace_restriction(const SplineSpace& space);
 class Operator {
 public:
   Operator(const Energy& energy, const SplineSpace& space);
-  explicit Operator(SymmetricStencil stencil) : stencil_(std::move(stencil)) {}
+  /// Of varying coefficients, integrated image by image.
+  Operator(SymmetricStencil stencil, const SplineSpace& space)
+      : images_x_(space.x.images()), images_y_(space.y.images()), stencil_(std::move(stencil)) {}
 
   int rows() const { return products_ ? products_->output_rows() : stencil_.rows(); }
   int columns() const { return products_ ? products_->output_columns() : stencil_.columns(); }
@@ -47,7 +35,7 @@ public:
   /// Row j of E c: writes columns() numbers to `out`. One thread.
   void row(int j, std::span<const double> c, double* out) const;
   /// The same for some columns, where the rows of c need not lie one after another: c[q] is row first_row(j) + q, and
-  /// out[0] belongs to column columns.begin. Of constant coefficients only.
+  /// out[0] belongs to column columns.begin. Of constant coefficients, on spaces that are not periodic.
   void row(int j, const double* const* c, ColumnRange columns, double* out) const;
   /// Faster inside, but rounded as a stored matrix would be (EvenStencil): for corrections that later ones correct.
   void rough_row(int j, const double* const* c, ColumnRange columns, double* out) const;
@@ -63,13 +51,17 @@ public:
   RepeatedRows diagonal_rows() const;
   /// Diagonal entries E_ii.
   std::vector<double> diagonal() const;
-  /// Entry of coefficients (i, j) and (k, l).
+  /// Entry of coefficients (i, j) and (k, l), image by image.
   double entry(int i, int j, int k, int l) const;
   /// Set where coefficients vary.
   const SymmetricStencil* stencil() const { return products_ ? nullptr : &stencil_; }
 
 private:
+  void part(int j, std::span<const double> c, double* out) const;
+  double diagonal_entry(int i, int j) const;
+
   int order_ = 0;
+  int images_x_ = 0, images_y_ = 0;
   std::optional<TensorSum> products_;
   std::optional<EvenStencil> inside_;  // of products_
   std::optional<TensorSum> end_rows_;  // what Gaussian curvature adds to the two first and last rows

@@ -2,6 +2,7 @@
 #include <batten/bases/cell_quadrature.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
+#include <batten/fem/side_blending.h>
 #include <batten/fem/side_data.h>
 #include <batten/fem/sparse_cholesky.h>
 
@@ -15,6 +16,7 @@ namespace {
 
 EndCondition condition_of(const Side& side, bool plate) {
   const bool slope = plate && side.normal;
+  if (side.periodic) return EndCondition::Periodic;
   if (side.value) return slope ? EndCondition::Clamped : EndCondition::Zero;
   return slope ? EndCondition::Flat : EndCondition::Free;
 }
@@ -29,22 +31,50 @@ double finite(const Trace& f, double s, const char* side) {
   return value;
 }
 
-/// Coefficients of the L2 projection that takes the values of f at both ends.
-std::vector<double> projected(const SplineBasis& basis, const Trace& f, const char* side) {
-  const int n = basis.size();
-  const auto& interval = basis.interval();
-  std::vector<double> c(static_cast<std::size_t>(n));
-  c.front() = finite(f, interval.lower(), side);
-  c.back() = finite(f, interval.upper(), side);
-  if (n == 2) return c;
+/// ∫ f N_i
+std::vector<double> moments(const SplineBasis& basis, const Trace& f, const char* side) {
   const CellQuadrature gauss(basis, basis.degree() + 2);
-  std::vector<double> b(c.size());
+  std::vector<double> b(static_cast<std::size_t>(basis.size()));
   for (int cell = 0; cell < gauss.cells(); ++cell)
     for (int q = 0; q < gauss.points(); ++q) {
       const double v = finite(f, gauss.place(cell, q), side) * gauss.weight(cell, q);
       for (int a = 0; a < gauss.functions(); ++a)
         b[static_cast<std::size_t>(cell + a)] += v * gauss.value(cell, q, 0, a);
     }
+  return b;
+}
+
+/// Coefficients, in the whole basis, of the L2 projection onto the periodic splines.
+std::vector<double> projected_around(const SplineBasis& basis, const Trace& f, const char* side) {
+  const auto original = [&](int i) { return basis.original(i); };
+  const auto b = moments(basis, f, side);
+  const auto mass = basis.inner_products(0);
+  std::vector<double> c(b.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < basis.size(); ++i) {
+    c[static_cast<std::size_t>(original(i))] += b[static_cast<std::size_t>(i)];
+    for (int j = std::max(0, i - basis.degree()); j <= std::min(basis.size() - 1, i + basis.degree()); ++j)
+      if (original(j) <= original(i) && mass(i, j) != 0)
+        entries.emplace_back(original(i), original(j), basis.interval().finest_cell_length() * mass(i, j));
+  }
+  Eigen::SparseMatrix<double> lower(basis.kept(), basis.kept());
+  lower.setFromTriplets(entries.begin(), entries.end());
+  SparseCholesky(lower).solve(std::span(c).first(static_cast<std::size_t>(basis.kept())));
+  for (int i = 0; i < basis.size(); ++i) c[static_cast<std::size_t>(i)] = c[static_cast<std::size_t>(original(i))];
+  basis.to_unconstrained(c.data(), 1);
+  return c;
+}
+
+/// Coefficients of the L2 projection that takes the values of f at both ends, or of the periodic one.
+std::vector<double> projected(const SplineBasis& basis, const Trace& f, const char* side) {
+  if (basis.is_periodic()) return projected_around(basis, f, side);
+  const int n = basis.size();
+  const auto& interval = basis.interval();
+  std::vector<double> c(static_cast<std::size_t>(n));
+  c.front() = finite(f, interval.lower(), side);
+  c.back() = finite(f, interval.upper(), side);
+  if (n == 2) return c;
+  std::vector<double> b = moments(basis, f, side);
   const auto mass = basis.inner_products(0);
   const double unit = interval.finest_cell_length();
   std::vector<Eigen::Triplet<double>> entries;
@@ -117,6 +147,22 @@ std::vector<std::string> corner_notes(const std::array<SideGrid, 4>& sides) {
   return notes;
 }
 
+/// A sentence where data between periodic sides do not close.
+void add_seam_notes(const SideGrid& s, std::vector<std::string>& notes) {
+  for (const auto* data : {&s.side->value, &s.side->normal}) {
+    if (!*data) continue;
+    const auto f = s.trace(**data);
+    const auto& interval = s.along->interval();
+    const double a = f(interval.lower()), b = f(interval.upper());
+    double size = 0;
+    for (int k = 0; k <= 16; ++k) size = std::max(size, std::abs(f(interval.lower() + k * interval.length() / 16)));
+    if (std::abs(a - b) > 1e-9 * size)
+      notes.push_back(std::string("what the side ") + s.name + " prescribes is " + number_text(a, 6) +
+                      " at one periodic side and " + number_text(b, 6) +
+                      " at the other; the nearest periodic spline is taken");
+  }
+}
+
 /// How far a coefficient next to the side lies above the one on it, for a slope of 1 in the outward direction: the
 /// derivative of a clamped spline at an end is degree / (length of the cell) times the difference.
 double slope_step(const SplineBasis& across) {
@@ -129,36 +175,85 @@ double slope_step(const SplineBasis& across) {
 SpaceEnds side_conditions(const BoundaryProblem& problem) {
   const bool plate = problem.is_plate();
   const auto& s = problem.sides;
-  for (const Side* side : {&s.left, &s.right, &s.bottom, &s.top})
-    if (side->periodic)
-      throw InvalidInput("side_conditions: expected sides that are not periodic; those cannot be solved yet");
+  const std::array<std::array<const Side*, 2>, 2> opposite = {{{&s.left, &s.right}, {&s.bottom, &s.top}}};
+  for (const auto& [side, other] : opposite) {
+    if (side->periodic != other->periodic)
+      throw InvalidInput("side_conditions: expected opposite sides to be periodic together, found one that is not");
+    if (side->periodic && (side->value || side->normal || other->value || other->normal))
+      throw InvalidInput("side_conditions: expected nothing prescribed on periodic sides, found data");
+  }
   return {{condition_of(s.left, plate), condition_of(s.right, plate)},
           {condition_of(s.bottom, plate), condition_of(s.top, plate)}};
 }
 
-Lifting lifting(const BoundaryProblem& problem) {
-  const SplineBasis x(problem.region.x, problem.degree), y(problem.region.y, problem.degree);
-  const auto sides = side_grids(problem, x, y);
-  Wishes value(static_cast<std::size_t>(x.size()) * static_cast<std::size_t>(y.size())), next(value.size());
+namespace {
+
+/// Coefficients that sides with values fix: on the side, and next to it where the plate's slope is given too.
+struct FixedCoefficients {
+  Wishes on, next;
+
+  bool has(std::ptrdiff_t i) const { return on.has(i) || next.has(i); }
+  double mean(std::ptrdiff_t i) const {
+    return on.has(i) && next.has(i) ? (on.mean(i) + next.mean(i)) / 2 : on.has(i) ? on.mean(i) : next.mean(i);
+  }
+};
+
+std::vector<double> slopes_of(const SideGrid& s) {
+  auto slopes = projected(*s.along, s.trace(*s.side->normal), s.name);
+  for (double& slope : slopes) slope *= slope_step(*s.across);
+  return slopes;
+}
+
+FixedCoefficients fixed_coefficients(const std::array<SideGrid, 4>& sides, std::size_t size, bool plate) {
+  FixedCoefficients fixed{Wishes(size), Wishes(size)};
   for (const auto& s : sides) {
     if (!s.side->value) continue;
     const auto c = projected(*s.along, s.trace(*s.side->value), s.name);
-    for (std::size_t k = 0; k < c.size(); ++k) value.add(s.start + static_cast<std::ptrdiff_t>(k) * s.step, c[k]);
+    for (std::size_t k = 0; k < c.size(); ++k) fixed.on.add(s.start + static_cast<std::ptrdiff_t>(k) * s.step, c[k]);
   }
   for (const auto& s : sides) {
-    if (!problem.is_plate() || !s.side->normal) continue;
-    const auto slope = projected(*s.along, s.trace(*s.side->normal), s.name);
-    for (std::size_t k = 0; k < slope.size(); ++k) {
+    if (!plate || !s.side->value || !s.side->normal) continue;
+    const auto slopes = slopes_of(s);
+    for (std::size_t k = 0; k < slopes.size(); ++k) {
       const std::ptrdiff_t i = s.start + static_cast<std::ptrdiff_t>(k) * s.step;
-      next.add(i + s.inward, value.mean(i) + slope_step(*s.across) * slope[k]);
+      fixed.next.add(i + s.inward, fixed.on.mean(i) + slopes[k]);
     }
   }
-  Lifting result{std::vector<double>(value.size()), corner_notes(sides)};
-  for (std::size_t k = 0; k < value.size(); ++k) {
-    const auto i = static_cast<std::ptrdiff_t>(k);
-    result.coefficients[k] = value.has(i) && next.has(i) ? (value.mean(i) + next.mean(i)) / 2
-                             : next.has(i)               ? next.mean(i)
-                                                         : value.mean(i);
+  return fixed;
+}
+
+/// Where the slope alone is given: the coefficients next to the side follow those on it.
+void add_slopes(const SideGrid& s, const FixedCoefficients& fixed, std::vector<double>& c) {
+  const auto slopes = slopes_of(s);
+  for (std::size_t k = 0; k < slopes.size(); ++k) {
+    const std::ptrdiff_t i = s.start + static_cast<std::ptrdiff_t>(k) * s.step, next = i + s.inward;
+    const double wanted = c[static_cast<std::size_t>(i)] + slopes[k];
+    double& found = c[static_cast<std::size_t>(next)];
+    found = fixed.has(next) ? (found + wanted) / 2 : wanted;
+  }
+}
+
+}  // namespace
+
+Lifting lifting(const BoundaryProblem& problem) {
+  const auto around = [&](const Interval& interval, const Side& side) {
+    const auto end = side.periodic ? EndCondition::Periodic : EndCondition::Free;
+    return SplineBasis(interval, problem.degree, {end, end});
+  };
+  const auto x = around(problem.region.x, problem.sides.left), y = around(problem.region.y, problem.sides.bottom);
+  const auto sides = side_grids(problem, x, y);
+  const bool plate = problem.is_plate();
+  const auto fixed = fixed_coefficients(sides, static_cast<std::size_t>(x.size()) * y.size(), plate);
+  Lifting result{std::vector<double>(fixed.on.size()), corner_notes(sides)};
+  for (std::size_t k = 0; k < result.coefficients.size(); ++k)
+    result.coefficients[k] = fixed.mean(static_cast<std::ptrdiff_t>(k));
+  const auto given = [&](const SideGrid& s) { return s.side->value ? plate && s.side->normal ? 2 : 1 : 0; };
+  if (std::ranges::any_of(result.coefficients, [](double c) { return c != 0; }))
+    blend_sides(x.unconstrained(), y.unconstrained(),
+                {given(sides[0]), given(sides[1]), given(sides[2]), given(sides[3])}, result.coefficients);
+  for (const auto& s : sides) {
+    if (plate && s.side->normal && !s.side->value) add_slopes(s, fixed, result.coefficients);
+    if (s.along->is_periodic()) add_seam_notes(s, result.notes);
   }
   return result;
 }

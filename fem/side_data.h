@@ -10,18 +10,19 @@
 namespace batten {
 
 /// What the sides ask of the homogeneous part of the solution: values are fixed strongly, normal derivatives of plates
-/// too, while those of Conduction are loads. Throws InvalidInput for periodic sides, which cannot be solved yet.
+/// too, while those of Conduction are loads. Throws InvalidInput where one of two opposite sides is periodic alone, or
+/// prescribes something.
 SpaceEnds side_conditions(const BoundaryProblem& problem);
 
 /// A spline that takes the data of the sides: coefficients in the whole spline space, x fastest.
 struct Lifting {
   std::vector<double> coefficients;
-  std::vector<std::string> notes;  ///< corners where the data of two sides differ
+  std::vector<std::string> notes;  ///< where data differ at a corner, or between periodic sides
 };
 
 /// Each side's value and normal derivative are projected onto the splines of that side (L2, the ends interpolated), and
-/// determine the first coefficients from there. Where two sides ask different things of a coefficient at a corner it
-/// takes their mean. Throws InvalidInput for data that are not finite.
+/// determine the first coefficients from there, those further inside are blended between the sides. Where two sides ask
+/// different things of a coefficient at a corner it takes their mean. Throws InvalidInput for data that are not finite.
 Lifting lifting(const BoundaryProblem& problem);
 
 }  // namespace batten

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/blocks.h>
 #include <batten/bases/wavefront.h>
+#include <batten/fem/block_vectors.h>
 #include <batten/fem/chebyshev_step.h>
 #include <batten/fem/smoother.h>
 
@@ -62,7 +64,10 @@ void Smoother::set(double lambda, std::span<const double> weights, Kind kind) {
   lambda_ = lambda;
   data_.set_weights(weights);
   set_diagonal(kind);
-  if (kind == Kind::DataAware) data_.is_stored() ? factor_grid() : factor_points();
+  if (kind != Kind::DataAware) return;
+  if (data_.is_stored()) return factor_grid();
+  level_->space.is_periodic() ? factor_points_around() : factor_points();
+  point_values_.resize(data_.size());
 }
 
 void Smoother::set_from_finer(const Smoother& finer) {
@@ -86,12 +91,14 @@ void Smoother::for_energy_diagonal(Visit&& visit) const {
 void Smoother::set_diagonal(Kind kind) {
   points_factor_.reset();
   grid_factor_.reset();
-  if (kind == Kind::Plain && data_.size() == 0 && !level_->energy.stencil()) return;  // StreamedSmoother has its own
+  if (kind == Kind::Plain && data_.size() == 0 && !level_->energy.stencil() && !level_->space.is_periodic())
+    return;  // StreamedSmoother has its own
   inverse_diagonal_.assign(size(), 0.);
   if (kind == Kind::Plain && data_.is_stored())
     data_.stencil().add_product(1, std::vector<double>(size(), 1.), inverse_diagonal_);
   else if (kind == Kind::Plain)
     data_.add_adjoint(data_.weights(), inverse_diagonal_);
+  fold_images(level_->space, inverse_diagonal_);
   for_energy_diagonal(
       [this](std::size_t i, double d) { inverse_diagonal_[i] = inverse_or_zero(inverse_diagonal_[i] + d); });
 }
@@ -101,6 +108,7 @@ std::vector<double> Smoother::compliance() const {
   std::vector<double> ones(data_.size(), 1.), sum(size()), result(data_.size());
   data_.add_adjoint(ones, sum);
   for_energy_diagonal([&](std::size_t i, double d) { sum[i] *= inverse_or_zero(d); });
+  fill_images(level_->space, sum);
   data_.values(sum, result);
   return result;
 }
@@ -141,31 +149,45 @@ void Smoother::factor_points() {
     starts.push_back(static_cast<int>(indices.size()));
   }
   points_factor_.emplace(from_columns(static_cast<int>(count), starts, indices, values));
-  point_values_.resize(count);
 }
 
-// M = D + B^T W B from the stencil.
+/// The same where neighbours may be found beyond the seam.
+void Smoother::factor_points_around() {
+  const Eigen::SparseMatrix<double> b = data_.columns();
+  const Eigen::Map<const Eigen::VectorXd> inverse(inverse_diagonal_.data(), b.rows());
+  Eigen::SparseMatrix<double> k = b.transpose() * (inverse.asDiagonal() * b);
+  for (Eigen::Index i = 0; i < k.rows(); ++i) k.coeffRef(i, i) += 1 / data_.weights()[static_cast<std::size_t>(i)];
+  points_factor_.emplace(Eigen::SparseMatrix<double>(k.triangularView<Eigen::Lower>()));
+}
+
+// M = D + B^T W B from the stencil; where a diagonal entry is 0, of functions that are taken away, 1.
 void Smoother::factor_grid() {
-  const int d = level_->space.x.degree(), nx = level_->space.x.size(), ny = level_->space.y.size();
-  std::vector<int> starts = {0}, indices;
-  std::vector<double> values;
+  const auto& space = level_->space;
+  const int d = space.x.degree(), nx = space.x.size(), ny = space.y.size();
+  std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
+      const double inverse = inverse_diagonal_[static_cast<std::size_t>(j) * nx + i];
+      entries.emplace_back(j * nx + i, j * nx + i, inverse > 0 ? 1 / inverse : 1);
       for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
         for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
-          const int index = (j + dy) * nx + i + dx;
-          const double inverse = inverse_diagonal_[static_cast<std::size_t>(index)];
-          const double diagonal = dx != 0 || dy != 0 ? 0 : inverse > 0 ? 1 / inverse : 1;
-          indices.push_back(index);
-          values.push_back(diagonal + data_.stencil().entry(i, j, dx, dy));
+          const auto [column, row] = std::minmax({space.original(i, j), space.original(i + dx, j + dy)});
+          entries.emplace_back(static_cast<int>(row), static_cast<int>(column), data_.stencil().entry(i, j, dx, dy));
         }
-      starts.push_back(static_cast<int>(indices.size()));
     }
-  grid_factor_.emplace(from_columns(nx * ny, starts, indices, values));
+  Eigen::SparseMatrix<double> lower(nx * ny, nx * ny);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  grid_factor_.emplace(lower);
 }
 
 double Smoother::apply(std::span<const double> c, std::span<double> out) const {
   const auto& energy = level_->energy;
+  if (level_->space.is_periodic()) {
+    energy.apply(c, out);
+    for (double& v : out) v *= lambda_;
+    data_.add_normal(1, c, out);
+    return dot(c, out);
+  }
   const std::ptrdiff_t n = energy.columns();
   Wavefront(energy.rows(), 2, level_->space.y.degree()).run([&](int stage, int j, RowRange range) {
     const double* in = c.data() + j * n;
@@ -188,11 +210,13 @@ void Smoother::precondition(std::span<const double> r, std::span<double> out) co
   const auto n = static_cast<std::ptrdiff_t>(r.size());
   if (grid_factor_) {
     std::copy(r.begin(), r.end(), out.begin());
-    return grid_factor_->solve(out);
+    grid_factor_->solve(out);
+    return fill_images(level_->space, out);
   }
   const double* inverse = inverse_diagonal_.data();
 #pragma omp parallel for simd schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) out[static_cast<std::size_t>(i)] = inverse[i] * r[static_cast<std::size_t>(i)];
+  fill_images(level_->space, out);
   if (!points_factor_) return;
   data_.values(out, point_values_);
   points_factor_->solve(point_values_);
@@ -201,6 +225,7 @@ void Smoother::precondition(std::span<const double> r, std::span<double> out) co
   data_.add_adjoint(point_values_, out);
 #pragma omp parallel for simd schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) out[static_cast<std::size_t>(i)] *= inverse[i];
+  fill_images(level_->space, out);
 }
 
 /// Steps of the Chebyshev polynomial of the fourth kind on (0, 1]; one of them is given to the zero at 1 if the data
@@ -218,7 +243,7 @@ std::vector<Smoother::Step> Smoother::chebyshev_steps(int degree) const {
 void Smoother::advance_row(const Step& step, const std::vector<double>& z, std::vector<double>& next, int j,
                            RowRange range, Work& work) const {
   const std::ptrdiff_t n = level_->energy.columns(), at = j * n;
-  data_.add_normal_row(j, range, -1, z, work.r);
+  if (!level_->space.is_periodic()) data_.add_normal_row(j, range, -1, z, work.r);
   level_->energy.row(j, z, next.data() + at);
   const RowUpdate update{lambda_, step.keep, is_data_aware() ? 0 : step.gain, step.old};
   update_row(update, inverse_diagonal_.data() + at, z.data() + at, next.data() + at, work.r.data() + at,
@@ -249,6 +274,7 @@ void Smoother::run(std::span<const Step> steps, First&& first, Work& work) const
     advance_row(steps[static_cast<std::size_t>(step)], work.z[static_cast<std::size_t>((step + 1) % 2)], next, j, range,
                 work);
   };
+  if (level_->space.is_periodic()) return run_around(steps, first, work);
   if (!is_data_aware()) return Wavefront(rows, count, reach).run(row);
   for (int step = 0; step < count; ++step) {
     Wavefront(rows, 1, reach).run([&](int, int j, RowRange range) { row(step, j, range); });
@@ -257,6 +283,27 @@ void Smoother::run(std::span<const Step> steps, First&& first, Work& work) const
       add_exact(gain, work.z[static_cast<std::size_t>(step % 2)], work.z[static_cast<std::size_t>((step + 1) % 2)],
                 work);
   }
+}
+
+/// The same on a periodic space, where the first rows of a step need the last ones of the step before.
+template <typename First>
+void Smoother::run_around(std::span<const Step> steps, First&& first, Work& work) const {
+  for (std::size_t step = 0; step < steps.size(); ++step) {
+    const auto& z = work.z[(step + 1) % 2];
+    auto& next = work.z[step % 2];
+    if (step > 0 && data_.size() > 0) data_.add_normal(-1, z, work.r);
+    for_blocks(RowBlocks(level_->energy.rows(), level_->energy.columns()), [&](int begin, int end) {
+      for (int j = begin; j < end; ++j) {
+        if (step == 0)
+          first(j, next);
+        else
+          advance_row(steps[step], z, next, j, {begin, end}, work);
+      }
+    });
+    fill_images(level_->space, next);
+    if (is_data_aware() && steps[step].gain != 0) add_exact(steps[step].gain, next, work.z[(step + 1) % 2], work);
+  }
+  fill_images(level_->space, work.x);
 }
 
 void Smoother::smooth_first(int degree, std::span<const double> r, Work& work) const {

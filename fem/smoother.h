@@ -28,7 +28,8 @@ class Smoother {
 public:
   enum class Kind { Plain, DataAware };
 
-  /// `stored` asks for the stencil form of the data term.
+  /// `stored` asks for the stencil form of the data term. On a periodic space right-hand sides hold nothing at images,
+  /// solutions their originals' values.
   Smoother(const Hierarchy::Level& level, const GridPoints& points, bool stored = false);
 
   /// Sets λ and the weights of the points. Throws SolverError if K cannot be factored.
@@ -70,6 +71,8 @@ private:
   std::vector<Step> chebyshev_steps(int degree) const;
   template <typename First>
   void run(std::span<const Step> steps, First&& first, Work& work) const;
+  template <typename First>
+  void run_around(std::span<const Step> steps, First&& first, Work& work) const;
   void advance_row(const Step& step, const std::vector<double>& z, std::vector<double>& next, int j, RowRange range,
                    Work& work) const;
   void add_exact(double gain, std::vector<double>& z, std::vector<double>& buffer, Work& work) const;
@@ -78,6 +81,7 @@ private:
   template <typename Visit>
   void for_energy_diagonal(Visit&& visit) const;
   void factor_points();
+  void factor_points_around();
   void factor_grid();
 
   const Hierarchy::Level* level_;

@@ -9,21 +9,16 @@ using Vector = Eigen::VectorXd;
 Eigen::Map<const Vector> view(std::span<const double> v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
 Eigen::Map<Vector> view(std::span<double> v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
 
-/// C^T: the values of the functions at each point.
-Eigen::SparseMatrix<double> values_at_points(const SplineSpace& space, const DataTerm& points) {
-  const int nx = space.x.size(), d = space.x.degree();
+/// Adds the rows of images.
+Eigen::SparseMatrix<double> with_images(const SplineSpace& space, const Eigen::SparseMatrix<double>& originals) {
+  if (!space.is_periodic()) return originals;
   std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const PointRow row = points.row(i);
-    for (int b = 0; b <= d; ++b)
-      for (int a = 0; a <= d; ++a) {
-        const double value = row.x[static_cast<std::size_t>(a)] * row.y[static_cast<std::size_t>(b)];
-        if (value != 0) entries.emplace_back((row.first_y + b) * nx + row.first_x + a, static_cast<int>(i), value);
-      }
-  }
-  Eigen::SparseMatrix<double> result(static_cast<Eigen::Index>(space.size()), static_cast<Eigen::Index>(points.size()));
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  for (int j = 0; j < space.y.size(); ++j)
+    for (int i = 0; i < space.x.size(); ++i)
+      entries.emplace_back(j * space.x.size() + i, static_cast<int>(space.original(i, j)), 1.);
+  Eigen::SparseMatrix<double> repeat(originals.rows(), originals.rows());
+  repeat.setFromTriplets(entries.begin(), entries.end());
+  return repeat * originals;
 }
 
 }  // namespace
@@ -34,8 +29,8 @@ SupportProjection::SupportProjection(const BoundarySystem& system) {
   constexpr double regularisation = 1e-12;  // points closer to each other than a cell may ask the same
   Vector inverse = view(system.hierarchy().finest().energy.diagonal());
   inverse = inverse.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.; });
-  values_ = values_at_points(system.space(), points);
-  answers_ = inverse.asDiagonal() * values_;
+  values_ = points.columns();
+  answers_ = with_images(system.space(), inverse.asDiagonal() * values_);
   Eigen::SparseMatrix<double> compliance = values_.transpose() * answers_;
   for (Eigen::Index i = 0; i < compliance.rows(); ++i) compliance.coeffRef(i, i) *= 1 + regularisation;
   factor_.emplace(Eigen::SparseMatrix<double>(compliance.triangularView<Eigen::Lower>()));

@@ -110,7 +110,7 @@ Vector Statics::projected(const Field& f, const Vector& without, const ShiftedSo
   Vector r = solver.system().restricted(b);
   const MassInverse inverse(solver.system().space(), problem.region);
   const auto& projection = solver.projection();
-  if (projection.is_identity()) {
+  if (projection.is_identity() && inverse.is_exact()) {
     inverse.apply(r);
     return r;
   }

@@ -56,18 +56,11 @@ double shift_of(const BoundaryProblem& problem, const RigidMotions& motions, con
   return std::isfinite(shift) ? shift : 0;  // a coefficient out of range is refused where it is integrated
 }
 
-std::size_t kept_functions(const SplineSpace& space) {
-  const auto kept = [](const SplineBasis& b) {
-    return static_cast<std::size_t>(b.size() - std::min(b.size(), b.ends().removed()));
-  };
-  return kept(space.x) * kept(space.y);
-}
-
 void clear_removed(const SplineSpace& space, std::span<double> v) {
   const int nx = space.x.size();
   for (int j = 0; j < space.y.size(); ++j)
     for (int i = 0; i < nx; ++i)
-      if (space.x.is_removed(i) || space.y.is_removed(j)) v[static_cast<std::size_t>(j) * nx + i] = 0;
+      if (space.is_removed(i, j)) v[static_cast<std::size_t>(j) * nx + i] = 0;
 }
 
 std::span<double> column(MatrixXd& a, Index k) { return {a.data() + k * a.rows(), static_cast<std::size_t>(a.rows())}; }
@@ -121,7 +114,7 @@ VibrationSolve::VibrationSolve(const BoundaryProblem& problem, int count, const 
       system_(problem_, density.affine(shift_), supports_.constraints),
       projection_(system_),
       mass_(masses(finest_mass_, system_.hierarchy())) {
-  const auto unknowns = kept_functions(system_.space()), held = supports_.constraints.size();
+  const auto unknowns = system_.space().kept(), held = supports_.constraints.size();
   const auto most = (unknowns - std::min(unknowns, held)) / 8;
   if (count < 1 || static_cast<std::size_t>(count) > most)
     throw InvalidInput("vibration_modes: expected a count from 1 to " + std::to_string(most) +
@@ -133,6 +126,7 @@ VibrationSolve::Motions VibrationSolve::motions_on(int level) const {
   Motions result{motions_.functions(space), MatrixXd(static_cast<Index>(space.size()), motions_.count())};
   for (Index k = 0; k < result.q.cols(); ++k) {
     clear_removed(space, column(result.q, k));
+    fill_images(space, column(result.q, k));
     mass_[static_cast<std::size_t>(level)].apply(column(result.q, k), column(result.mq, k));
   }
   const Eigen::LLT<MatrixXd> gram(tall_products(result.q, result.mq));
@@ -175,7 +169,7 @@ EigenProblem VibrationSolve::problem_on(int level, const Motions& motions) const
 int VibrationSolve::first_level(Index block) const {
   const auto& h = system_.hierarchy();
   int level = h.size() - 1;
-  while (level > 0 && kept_functions(h[level].space) < static_cast<std::size_t>(5 * block)) --level;
+  while (level > 0 && h[level].space.kept() < static_cast<std::size_t>(5 * block)) --level;
   return level;
 }
 
@@ -206,7 +200,7 @@ Eigenpairs VibrationSolve::elastic_modes(const Motions& finest, int wanted, Vibr
   constexpr double coarse_accuracy = 1e-4;
   constexpr double caution = 0.01;  // the estimate is too low by what the V-cycle lacks of an inverse
   const auto& h = system_.hierarchy();
-  const auto room = static_cast<int>((kept_functions(h.finest().space) - supports_.constraints.size()) / 4);
+  const auto room = static_cast<int>((h.finest().space.kept() - supports_.constraints.size()) / 4);
   const Index block = std::min(wanted + std::max(3, wanted / 4), std::max(room, wanted));
   Eigenpairs pairs;
   double cycles = 0;
@@ -256,7 +250,7 @@ Mode VibrationSolve::mode(const MatrixXd& vectors, Index k, double residual) con
 
 Vibration VibrationSolve::run() {
   Vibration result;
-  result.unknowns = kept_functions(system_.space());
+  result.unknowns = system_.space().kept();
   const Motions motions = motions_on(0);
   for (Index k = 0; k < std::min<Index>(count_, motions.q.cols()); ++k) {
     result.modes.push_back(mode(motions.q, k, 0));
