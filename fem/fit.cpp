@@ -18,6 +18,10 @@ namespace batten {
 namespace {
 
 Smoothing checked(const FitOptions& options) {
+  if (options.degree < 2 || options.degree > 3)
+    throw InvalidInput("fit_surface: expected degree 2 or 3, found " + std::to_string(options.degree));
+  if (options.energy.null_degree() > 1)
+    throw InvalidInput("fit_surface: expected an energy with first or second derivatives, found third ones alone");
   const Smoothing s = options.smoothing;
   if (s.kind == Smoothing::Kind::Fixed && !(s.value >= 0 && std::isfinite(s.value)))
     throw InvalidInput("fit_surface: expected a smoothing that is not negative, found " + number_text(s.value, 6));
@@ -57,19 +61,6 @@ void check_tolerance(const Observations& o, double unit) {
                          number_text(o.value[high], 6) + " (observation " + std::to_string(high + 1) + ") at (" +
                          number_text(o.x[i], 6) + ", " + number_text(o.y[i], 6) + ")");
   }
-}
-
-/// `start`: coefficients to begin with, or none.
-ScaledFit solve_fixed(FitProblem& problem, double lambda, const FitOptions& options, std::vector<double> start = {}) {
-  start.resize(problem.system().size());
-  ScaledFit fit{std::move(start), lambda, 0, 0};
-  problem.system().set(lambda, problem.weight());
-  const auto b = problem.right_side(problem.weight(), problem.value());
-  if (options.progress) options.progress("solve", 0);
-  const auto result = solve(problem.system(), b, fit.coefficients, options.limits);
-  fit.iterations = result.iterations;
-  fit.accuracy = result.accuracy;
-  return fit;
 }
 
 ScaledFit solve_automatic(FitProblem& problem, const FitData& data, const FitOptions& options, FitResult& result) {

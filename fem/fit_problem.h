@@ -14,6 +14,7 @@ namespace batten {
 struct FitData {
   std::vector<double> x, y;         ///< in the observations' own units
   std::vector<double> value;        ///< (z - null element) / scale
+  std::vector<Measured> kind;       ///< of the spline or which derivative; empty: all are values
   std::vector<double> weight;       ///< sum 1, all positive
   std::vector<std::size_t> source;  ///< index among the observations (the first of merged ones)
   LinearFunction null_element;      ///< of the observations, in x and y
@@ -36,6 +37,7 @@ PreparedData prepare(const Observations& observations, const Rectangle& region, 
 /// A penalised least-squares problem on one grid: the data ordered by its cells, the levels and the solver.
 class FitProblem {
 public:
+  /// Of the options the energy, degree and aspect.
   FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options);
   FitProblem(const FitProblem&) = delete;
   FitProblem& operator=(const FitProblem&) = delete;
@@ -52,7 +54,7 @@ public:
 
   /// Σ_i weights_i values_i b_i
   std::vector<double> right_side(std::span<const double> weights, std::span<const double> values) const;
-  /// value - p at the points.
+  /// value less what is measured of the spline.
   std::vector<double> residuals(std::span<const double> coefficients) const;
 
 private:
@@ -70,5 +72,8 @@ struct ScaledFit {
   int iterations = 0;
   double accuracy = 0;
 };
+
+/// The fit for a given λ. `start`: coefficients to begin with, or none.
+ScaledFit solve_fixed(FitProblem& problem, double lambda, const FitOptions& options, std::vector<double> start = {});
 
 }  // namespace batten

@@ -41,7 +41,7 @@ public:
   double lambda() const { return lambda_; }
   std::size_t size() const { return level_->space.size(); }
 
-  /// How much the points give way when D alone resists: comp_i = Σ_j b_i · D^-1 b_j, in the order of the points.
+  /// How much the points give way when D alone resists (DataTerm::compliance of D^-1), in the order of the points.
   std::vector<double> compliance() const;
 
   /// The largest diagonal entry of λ E times the number of coefficients: the energy against the data.
