@@ -63,8 +63,8 @@ void check_tolerance(const Observations& o, double unit) {
   }
 }
 
-ScaledFit solve_automatic(FitProblem& problem, const FitData& data, const FitOptions& options, FitResult& result) {
-  auto found = timed(result.seconds, "cross-validation", [&] { return cross_validate(problem, data, options); });
+ScaledFit solve_automatic(FitProblem& problem, const FitOptions& options, FitResult& result) {
+  auto found = timed(result.seconds, "cross-validation", [&] { return cross_validate(problem, options); });
   result.effective_degrees = found.effective_degrees;
   result.no_interior_minimum = !found.interior;
   result.search_iterations = static_cast<int>(std::ceil(found.work));
@@ -161,7 +161,7 @@ FitResult fit_surface(const Observations& observations, const Rectangle& region,
   ScaledFit fit;
   switch (smoothing.kind) {
     case Smoothing::Kind::Automatic:
-      fit = solve_automatic(problem, data, options, result);
+      fit = solve_automatic(problem, options, result);
       break;
     case Smoothing::Kind::Fixed:
       fit = timed(result.seconds, "solve", [&] { return solve_fixed(problem, smoothing.value, options); });

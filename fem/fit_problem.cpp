@@ -151,7 +151,9 @@ GridPoints in_order(const GridPoints& p, const std::vector<std::size_t>& order) 
 }  // namespace
 
 FitProblem::FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options)
-    : hierarchy_(options.energy, region, options.degree, {options.aspect}),
+    : data_(data),
+      options_(options),
+      hierarchy_(options.energy, region, options.degree, {options.aspect}),
       points_(to_cells(data, hierarchy_)),
       order_(cell_order(points_, hierarchy_.finest().space)),
       system_((points_ = in_order(points_, order_), hierarchy_), points_) {
@@ -166,20 +168,23 @@ std::vector<double> FitProblem::right_side(std::span<const double> weights, std:
   return b;
 }
 
-std::vector<double> FitProblem::residuals(std::span<const double> coefficients) const {
-  std::vector<double> r(size());
-  system_.data().values(coefficients, r);
-  for (std::size_t i = 0; i < size(); ++i) r[i] = value_[i] - r[i];
-  return r;
+std::vector<double> FitProblem::values(std::span<const double> c) const {
+  std::vector<double> result(size());
+  system_.data().values(c, result);
+  return result;
 }
 
-ScaledFit solve_fixed(FitProblem& problem, double lambda, const FitOptions& options, std::vector<double> start) {
-  start.resize(problem.system().size());
+std::unique_ptr<PenalisedProblem> FitProblem::on(const Rectangle& grid) const {
+  return std::make_unique<FitProblem>(data_, grid, options_);
+}
+
+ScaledFit solve_fixed(PenalisedProblem& problem, double lambda, const FitOptions& options, std::vector<double> start) {
+  start.resize(problem.unknowns());
   ScaledFit fit{std::move(start), lambda, 0, 0};
-  problem.system().set(lambda, problem.weight());
+  problem.set(lambda);
   const auto b = problem.right_side(problem.weight(), problem.value());
   if (options.progress) options.progress("solve", 0);
-  const auto result = solve(problem.system(), b, fit.coefficients, options.limits);
+  const auto result = problem.solve(b, fit.coefficients, options.limits, 0);
   fit.iterations = result.iterations;
   fit.accuracy = result.accuracy;
   return fit;

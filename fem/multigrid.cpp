@@ -4,6 +4,7 @@
 #include <batten/fem/multigrid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace batten {
@@ -86,7 +87,10 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
   }
   factor_coarsest();
   if (streams_) streamed_.emplace(*hierarchy_, degree_, lambda, *coarsest_);
-  can_predict_ = levels_.size() > 1 && !data_aware_ && finest.stiffness() < largest_predicted_stiffness;
+  // by differences, rounding grows with the root of the stiffness only
+  const bool by_differences = !finest.level().energy.stencil() && hierarchy_->energy().order() > 2;
+  const double rounding = by_differences ? std::sqrt(finest.stiffness()) : finest.stiffness();
+  can_predict_ = levels_.size() > 1 && !data_aware_ && rounding < largest_predicted_stiffness;
   null_projection_.reset();
   if (lambda > very_large_lambda)
     null_projection_.emplace(finest.level().space, data(), hierarchy_->energy().null_degree());

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -76,7 +77,16 @@ Chosen choose(const VectorObservations& o, const Rectangle& region, bool merge, 
 }
 
 const char* name_of(FlowModel model) {
-  return model == FlowModel::Smooth ? "smooth" : model == FlowModel::Slow ? "slow" : "irrotational";
+  switch (model) {
+    case FlowModel::Smooth:
+      return "smooth";
+    case FlowModel::Slow:
+      return "slow";
+    case FlowModel::Irrotational:
+      return "irrotational";
+    default:
+      return "general";
+  }
 }
 
 /// A quadratic ψ or φ without velocity at all points has them on one line.
@@ -116,24 +126,27 @@ FitData rows_of(const Chosen& chosen, FlowModel model) {
   return rows;
 }
 
-/// The slopes of s, t, s², s t, t² that a row measures.
-Eigen::Matrix<double, 5, 1> slopes(Measured kind, double s, double t) {
-  Eigen::Matrix<double, 5, 1> result;
+/// The slopes of s, t, s², s t, t² that a row measures, and what it measures of φ = s² + t² where they are those of ψ.
+Eigen::Matrix<double, 6, 1> slopes(Measured kind, double s, double t) {
+  Eigen::Matrix<double, 6, 1> result;
   if (kind == Measured::SlopeX)
-    result << 1, 0, 2 * s, t, 0;
+    result << 1, 0, 2 * s, t, 0, -2 * t;
   else
-    result << 0, 1, 0, s, 2 * t;
+    result << 0, 1, 0, s, 2 * t, 2 * s;
   return result;
 }
 
 /// Takes the weighted least-squares element of the null space off the rows and divides by their range.
-void normalise(FitData& d, int degree, const Rectangle& region, QuadraticFunction& q) {
+void normalise(const Rectangle& region, FlowModel model, FlowData& result) {
+  FitData& d = result.rows;
+  QuadraticFunction& q = result.null_element;
   q.length = std::max(region.x.length(), region.y.length());
   q.x0 = std::inner_product(d.x.begin(), d.x.end(), d.weight.begin(), 0.);
   q.y0 = std::inner_product(d.y.begin(), d.y.end(), d.weight.begin(), 0.);
   const auto [low, high] = std::minmax_element(d.value.begin(), d.value.end());
   const double largest = std::max(std::abs(*low), std::abs(*high)), range = *high - *low;
-  const Eigen::Index used = degree == 2 ? 5 : 2;
+  const Eigen::Index used = model == FlowModel::Slow ? 2 : model == FlowModel::General ? 6 : 5;
+  std::array<double, 6> found{};
   // Twice: the second pass fits what rounding left of the first.
   for (int pass = 0; pass < 2; ++pass) {
     Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(used, used);
@@ -146,9 +159,11 @@ void normalise(FitData& d, int degree, const Rectangle& region, QuadraticFunctio
       right += d.weight[i] * d.value[i] * row(i);
     }
     const Eigen::VectorXd step = moments.completeOrthogonalDecomposition().solve(right);
-    for (Eigen::Index k = 0; k < used; ++k) q.c[static_cast<std::size_t>(k) + 1] += step[k];
+    for (Eigen::Index k = 0; k < used; ++k) found[static_cast<std::size_t>(k)] += step[k];
     for (std::size_t i = 0; i < d.size(); ++i) d.value[i] -= row(i).dot(step);
   }
+  std::copy_n(found.begin(), 5, q.c.begin() + 1);
+  result.null_potential = {{0, 0, 0, found[5], 0, found[5]}, q.x0, q.y0, q.length};
   d.scale = range > 0 ? range : largest > 0 ? largest : 1;
   double left = 0;
   for (double& v : d.value) left = std::max(left, std::abs(v /= d.scale));
@@ -168,7 +183,7 @@ FlowData prepare_flow(const VectorObservations& o, const Rectangle& region, Flow
   const Chosen chosen = choose(o, region, merge_coincident, result);
   check_determined(chosen.vectors, region, model, o.size());
   result.rows = rows_of(chosen, model);
-  normalise(result.rows, energy_of(model).null_degree(), region, result.null_element);
+  normalise(region, model, result);
   return result;
 }
 

@@ -11,7 +11,8 @@ namespace batten {
 /// ψ_y = u and ψ_x = -v, of φ the slope φ_x = u and φ_y = v. `value` is less the null element and divided by `scale`.
 struct FlowData {
   FitData rows;
-  QuadraticFunction null_element;  ///< of ψ or φ over the length of the longer side
+  QuadraticFunction null_element;    ///< of ψ or φ over the length of the longer side
+  QuadraticFunction null_potential;  ///< of General: a multiple of s² + t² in φ, likewise
   std::size_t outside = 0, merged = 0;
 };
 
