@@ -15,10 +15,10 @@ double largest(std::span<const double> values) {
 
 }  // namespace
 
-ScaledFit interpolate(PenalisedProblem& problem, const FitOptions& options) {
+ScaledFit interpolate(PenalisedProblem& problem, const FitOptions& options, double lambda) {
   constexpr int most_steps = 12;
   constexpr double goal = 1e-10;
-  ScaledFit fit{std::vector<double>(problem.unknowns()), interpolation_lambda, 0, 0};
+  ScaledFit fit{std::vector<double>(problem.unknowns()), lambda, 0, 0};
   problem.set(fit.lambda);
   auto residual = problem.residuals(fit.coefficients);
   double before = largest(residual);

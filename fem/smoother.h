@@ -18,9 +18,9 @@ namespace batten {
 /// The polynomials are those of the fourth kind, which need an upper bound of the spectrum only [Lottes 2022]; the
 /// matrix M behind them satisfies M >= A, so that bound is 1. Two choices of M:
 ///
-///   plain       M = D + diag(B^T w), D = λ bound diag(E); the data part is lumped, which suffices while it is not much
-///   stiffer. data-aware  M = D + B^T W B, inverted exactly by M^-1 = D^-1 - D^-1 B^T K^-1 B D^-1 with the sparse
-///   matrix
+///   plain       M = D + diag(B^T w), D = λ bound diag(E); the data part is lumped (of slopes: DataTerm::lumped), which
+///   suffices while it is not much stiffer. data-aware  M = D + B^T W B, inverted exactly by M^-1 = D^-1 - D^-1 B^T
+///   K^-1 B D^-1 with the sparse matrix
 ///               K = W^-1 + B D^-1 B^T of the points; its polynomial has a zero at 1, so that what the data see is
 ///               removed at once and the rest is smoothed among functions that vanish at the points. Robust for λ -> 0.
 ///               Where points outnumber coefficients M itself is factored.

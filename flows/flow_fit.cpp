@@ -57,15 +57,21 @@ ScaledFit solve_automatic(PenalisedProblem& problem, const FitOptions& options, 
                [&] { return solve_fixed(problem, found.lambda, options, std::move(found.start)); });
 }
 
+/// The coupled system of General converges the slower the smaller λ is: more steps of multipliers cost less.
+constexpr double coupled_interpolation_lambda = 1e-8;
+
 ScaledFit solve_none(PenalisedProblem& problem, const FitOptions& options, FlowResult& result) {
+  const bool is_general = result.field.stream() && result.field.potential();
+  const double lambda = is_general ? coupled_interpolation_lambda : interpolation_lambda;
   if (options.energy.order() < 3)
     result.notes.push_back(
         "model slow without smoothing: point velocities are not bounded by its energy, each point gets a spike that "
         "grows with the logarithm of the cell size; consider the model smooth");
-  if (problem.size() <= problem.unknowns()) return interpolate(problem, options);
+  if (problem.size() <= problem.unknowns()) return interpolate(problem, options, lambda);
   result.notes.push_back("no smoothing: " + std::to_string(problem.size()) + " components of velocities outnumber " +
-                         std::to_string(problem.unknowns()) + " coefficients, lambda = 1e-14 is used");
-  return solve_fixed(problem, interpolation_lambda, options);
+                         std::to_string(problem.unknowns()) + " coefficients, lambda = " + number_text(lambda, 6) +
+                         " is used");
+  return solve_fixed(problem, lambda, options);
 }
 
 ScaledFit solve_for(const Smoothing& smoothing, PenalisedProblem& problem, double unit, const FitOptions& options,
@@ -237,7 +243,7 @@ FlowResult fit_flow(const VectorObservations& observations, const Rectangle& reg
   const auto problem = timed(seconds, "set up", [&] { return make_problem(data.rows, region, options); });
   const SplineSpace space = finest_space(region, options.degree);
 
-  FlowResult result{.field = FlowField(Solution(region, options.degree, std::vector<double>(space.size())))};
+  FlowResult result{.field = field_of(options, {std::vector<double>(problem->unknowns())}, data, space, region)};
   result.seconds = std::move(seconds);
   const ScaledFit fit = solve_for(smoothing, *problem, data.rows.scale, scalar_options(options), result);
   result.points_outside = data.outside;
@@ -254,6 +260,10 @@ FlowResult fit_flow(const VectorObservations& observations, const Rectangle& reg
   result.lambda = fit.lambda;
   result.iterations = fit.iterations;
   result.accuracy = fit.accuracy;
+  if (fit.accuracy > 1e3 * options.limits.accuracy)
+    result.notes.push_back("the solver stopped after " + std::to_string(fit.iterations) +
+                           " iterations at an estimated relative error of " + number_text(fit.accuracy, 2) +
+                           " in the energy norm");
   if (smoothing.kind == Smoothing::Kind::Tolerance)
     result.tolerance_reached = within(observations, smoothing.value, result);
   return result;

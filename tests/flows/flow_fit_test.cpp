@@ -148,6 +148,17 @@ TEST(FlowFit, equals_a_dense_least_squares_solution) {
       }
 }
 
+TEST(FlowFit, interpolates_by_both_parts_at_less_energy_than_by_one) {
+  const auto region = test::unit_square(20, 20);
+  const auto o = samples(region, 40, 5, taylor_green);
+  const auto both = fit_flow(o, region, {.model = FlowModel::General, .smoothing = Smoothing::none()});
+  const auto one = fit_flow(o, region, {.smoothing = Smoothing::none()});
+  EXPECT_LT(both.largest_residual, 1e-8);
+  EXPECT_LT(one.largest_residual, 1e-8);
+  EXPECT_LT(both.energy, one.energy);  // φ = 0 is allowed
+  EXPECT_GT(both.potential_energy, 0);
+}
+
 TEST(FlowFit, gives_what_costs_nothing_to_the_stream_function) {
   const auto o = samples(wide, 40, 3, [](double x, double y) { return Vector{3 + x + 2 * y, 2 * x - y + 1}; });
   const auto fit = fit_flow(o, wide, {.model = FlowModel::General, .smoothing = Smoothing::fixed(1e-3)});
