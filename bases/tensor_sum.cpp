@@ -24,18 +24,21 @@ template <int terms, int width>
   double* __restrict out0 = buffer[0];
   double* __restrict out1 = buffer[terms > 1 ? 1 : 0];
   double* __restrict out2 = buffer[terms > 2 ? 2 : 0];
+  double* __restrict out3 = buffer[terms > 3 ? 3 : 0];
 #pragma omp simd
   for (int i = 0; i < n; ++i) {
-    double sum0 = 0, sum1 = 0, sum2 = 0;
+    double sum0 = 0, sum1 = 0, sum2 = 0, sum3 = 0;
     for (int q = 0; q < width; ++q) {
       const double value = rows[q][i];
       sum0 += w[0][q] * value;
       if constexpr (terms > 1) sum1 += w[1][q] * value;
       if constexpr (terms > 2) sum2 += w[2][q] * value;
+      if constexpr (terms > 3) sum3 += w[3][q] * value;
     }
     out0[i] = sum0;
     if constexpr (terms > 1) out1[i] = sum1;
     if constexpr (terms > 2) out2[i] = sum2;
+    if constexpr (terms > 3) out3[i] = sum3;
   }
 }
 
@@ -50,19 +53,23 @@ template <int terms, int width, int period, int shift>
   const double* __restrict in0 = in[0];
   const double* __restrict in1 = in[terms > 1 ? 1 : 0];
   const double* __restrict in2 = in[terms > 2 ? 2 : 0];
+  const double* __restrict in3 = in[terms > 3 ? 3 : 0];
   double* __restrict result = out;
   const double factor0 = factors[0], factor1 = factors[terms > 1 ? 1 : 0], factor2 = factors[terms > 2 ? 2 : 0];
+  const double factor3 = factors[terms > 3 ? 3 : 0];
 #pragma omp simd
   for (int i = 0; i < n; ++i) {
-    double sum0 = 0, sum1 = 0, sum2 = 0;
+    double sum0 = 0, sum1 = 0, sum2 = 0, sum3 = 0;
     for (int q = 0; q < width; ++q) {
       sum0 += w[0][q] * in0[i * shift + q];
       if constexpr (terms > 1) sum1 += w[1][q] * in1[i * shift + q];
       if constexpr (terms > 2) sum2 += w[2][q] * in2[i * shift + q];
+      if constexpr (terms > 3) sum3 += w[3][q] * in3[i * shift + q];
     }
     double sum = factor0 * sum0;
     if constexpr (terms > 1) sum += factor1 * sum1;
     if constexpr (terms > 2) sum += factor2 * sum2;
+    if constexpr (terms > 3) sum += factor3 * sum3;
     result[i * period] = sum;
   }
 }
@@ -248,9 +255,17 @@ void tensor_row_3(const TensorSum::Term* term, int j, const double* const* in, C
   tensor_row<3>(term, j, in, columns, out, task);
 }
 
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void tensor_row_4(const TensorSum::Term* term, int j, const double* const* in, ColumnRange columns, double* out,
+                  RowTask& task) {
+  tensor_row<4>(term, j, in, columns, out, task);
+}
+
 void check_shapes(const std::vector<TensorSum::Term>& terms) {
   if (terms.empty() || terms.size() > static_cast<std::size_t>(TensorSum::max_terms))
-    throw InvalidInput("TensorSum: expected 1 to 3 terms, found " + std::to_string(terms.size()));
+    throw InvalidInput("TensorSum: expected 1 to 4 terms, found " + std::to_string(terms.size()));
   for (const auto& term : terms)
     if (term.x.first != terms[0].x.first || term.y.first != terms[0].y.first || term.x.width != terms[0].x.width ||
         term.y.width != terms[0].y.width || term.x.columns != terms[0].x.columns ||
@@ -285,7 +300,8 @@ void TensorSum::row(int j, const double* const* in, ColumnRange columns, double*
   }
   if (terms_.size() == 1) return tensor_row_1(terms_.data(), j, in, columns, out, task);
   if (terms_.size() == 2) return tensor_row_2(terms_.data(), j, in, columns, out, task);
-  tensor_row_3(terms_.data(), j, in, columns, out, task);
+  if (terms_.size() == 3) return tensor_row_3(terms_.data(), j, in, columns, out, task);
+  tensor_row_4(terms_.data(), j, in, columns, out, task);
 }
 
 void TensorSum::row(int j, const double* in, double* out) const {

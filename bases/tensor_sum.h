@@ -15,7 +15,7 @@ namespace batten {
 /// All Y_t have the same rows, columns and band, and so have all X_t. At most max_terms terms.
 class TensorSum {
 public:
-  static constexpr int max_terms = 3;
+  static constexpr int max_terms = 4;
   struct Term {
     double factor = 1;
     BandedRows y, x;

@@ -3,6 +3,7 @@
 #include <batten/domains/errors.h>
 #include <batten/fem/block_vectors.h>
 #include <batten/fem/conjugate_gradients.h>
+#include <batten/fem/preconditioned_system.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,23 @@ struct LevelSystem {
   }
 };
 
+/// A x = b of a system that is known by its operator and preconditioner.
+struct OpenSystem {
+  const PreconditionedSystem& system;
+  Multigrid::Vectors& buffers;
+
+  double apply(std::span<const double> c, std::span<double> out) const { return system.apply(c, out); }
+  Multigrid::Vectors& vectors() const { return buffers; }
+  double precondition(const Vector& r, Vector& z) const {
+    system.precondition(r, z);
+    return std::max(0., dot(r, z));
+  }
+  void residual(std::span<const double> b, std::span<const double> c, Vector& r) const {
+    apply(c, r);
+    combine(1, b, -1, r);
+  }
+};
+
 /// What conjugate gradients carry from one run to the next besides their vectors, the residual r and z = B r.
 struct State {
   double rz = 0;  ///< r·z
@@ -78,7 +96,8 @@ struct State {
 /// Iterates until the recursive residual says that sqrt(rz) is at most `goal`. Where
 /// the coming step is expected to be the last, the true residual is put in place of the recursive one if the two agree,
 /// which saves a V-cycle; one more step may follow, in case it was not the last. Returns whether r is the true one.
-bool run(const LevelSystem& system, std::span<const double> b, std::span<double> c, double goal, int most_iterations,
+template <typename System>
+bool run(const System& system, std::span<const double> b, std::span<double> c, double goal, int most_iterations,
          State& state) {
   auto& [rz, iterations] = state;
   auto& [r, z, p, q] = system.vectors();
@@ -110,7 +129,8 @@ bool run(const LevelSystem& system, std::span<const double> b, std::span<double>
 
 /// Conjugate gradients from the start c until sqrt(r·Br) <= accuracy * scale; a scale of 0 stands for the first
 /// sqrt(r·Br).
-IterationResult iterate(const LevelSystem& system, std::span<const double> b, std::span<double> c,
+template <typename System>
+IterationResult iterate(const System& system, std::span<const double> b, std::span<double> c,
                         const IterationLimits& limits, double scale) {
   auto& [r, z, p, q] = system.vectors();
   State state;
@@ -144,8 +164,8 @@ double predict(const Multigrid& system, std::span<const double> b, std::span<dou
   }
   double work = 0;
   for (std::size_t k = right.size() - 1; k > 0; --k) {
-    const auto spent =
-        iterate({system, k}, right[k], solution[k], {.accuracy = predictor_accuracy, .most_iterations = 20}, 0);
+    const auto spent = iterate(LevelSystem{system, k}, right[k], solution[k],
+                               {.accuracy = predictor_accuracy, .most_iterations = 20}, 0);
     work += (spent.iterations + 1.) * static_cast<double>(system.size(k)) / static_cast<double>(system.size());
     system.hierarchy()[static_cast<int>(k) - 1].refinement->apply(solution[k], k == 1 ? c : solution[k - 1]);
   }
@@ -194,7 +214,7 @@ IterationResult solve_streamed(const Multigrid& system, std::span<const double> 
   auto [result, is_slow] = repeat_cycles(cycle, b, c, limits, scale);
   if (is_slow && result.accuracy > limits.accuracy && result.iterations < limits.most_iterations) {
     limits.most_iterations -= result.iterations;
-    const auto more = iterate({system, 0}, b, c, limits, scale);
+    const auto more = iterate(LevelSystem{system, 0}, b, c, limits, scale);
     result = {result.iterations + more.iterations, more.accuracy};
   }
   result.iterations += static_cast<int>(std::ceil(before));
@@ -218,10 +238,21 @@ IterationResult solve(const Multigrid& system, std::span<const double> b, std::s
     before = predict(system, b, c);
     if (scale == 0) scale = std::sqrt(std::max(0., dot(b, c)));
   }
-  auto result = iterate({system, 0}, b, c, limits, scale);
+  auto result = iterate(LevelSystem{system, 0}, b, c, limits, scale);
   result.iterations += static_cast<int>(std::ceil(before));
   if (system.null_projection()) system.null_projection()->set_component(b, c);
   return result;
+}
+
+IterationResult solve_system(const PreconditionedSystem& system, std::span<const double> b, std::span<double> c,
+                             const IterationLimits& limits, double scale) {
+  Multigrid::Vectors vectors;
+  const OpenSystem open{system, vectors};
+  if (scale == 0) {
+    vectors.r.assign(b.begin(), b.end());
+    scale = std::sqrt(open.precondition(vectors.r, vectors.z));
+  }
+  return iterate(open, b, c, limits, scale);
 }
 
 void solve_by_levels(const Multigrid& system, std::span<const double> b, std::span<double> c) {

@@ -21,7 +21,7 @@ int probe_count(std::size_t points) { return points < 200 ? 12 : points < 2000 ?
 /// Scores on one grid. Keeps its solutions as starts for the next λ.
 class Score {
 public:
-  Score(FitProblem& problem, const FitOptions& options, int probes) : problem_(problem), limits_(options.limits) {
+  Score(PenalisedProblem& problem, const FitOptions& options, int probes) : problem_(problem), limits_(options.limits) {
     const auto& order = problem.order();
     for (int k = 0; k < probes; ++k) {
       const auto signs = random_signs(order.size(), options.seed, static_cast<std::uint64_t>(k));
@@ -29,7 +29,7 @@ public:
       for (std::size_t i = 0; i < order.size(); ++i) probe[i] = signs[order[i]] / std::sqrt(problem.weight()[i]);
       probes_.push_back(std::move(probe));
     }
-    starts_.assign(probes_.size() + 1, std::vector<double>(problem.system().size()));
+    starts_.assign(probes_.size() + 1, std::vector<double>(problem.unknowns()));
   }
 
   struct Value {
@@ -43,11 +43,11 @@ public:
   Value operator()(double log_lambda, double accuracy = misfit_accuracy) {
     const auto known = values_.find(log_lambda);
     if (known != values_.end()) return known->second;
-    problem_.system().set(std::pow(10., log_lambda), problem_.weight());
+    problem_.set(std::pow(10., log_lambda));
     Value value{objective(problem_.value(), starts_[0], accuracy, true).misfit, 0, 0};
     for (std::size_t k = 0; k < probes_.size(); ++k) {
       // a probe's solution is rough: coarser levels give a better start than another λ
-      if (problem_.system().can_predict()) std::fill(starts_[k + 1].begin(), starts_[k + 1].end(), 0.);
+      if (problem_.can_predict()) std::fill(starts_[k + 1].begin(), starts_[k + 1].end(), 0.);
       // ξ·(I - H) ξ / N in the basis in which H is symmetric
       const double free =
           objective(probes_[k], starts_[k + 1], probe_accuracy, false).least / static_cast<double>(problem_.size());
@@ -84,14 +84,14 @@ private:
     IterationLimits limits = limits_;
     limits.accuracy = accuracy;
     for (;;) {
-      work_ += solve(problem_.system(), b, c, limits, std::sqrt(std::max(0., product(b)))).iterations + 1;
-      problem_.system().apply(c, image);
+      work_ += problem_.solve(b, c, limits, std::sqrt(std::max(0., product(b)))).iterations + 1;
+      problem_.apply(c, image);
       Objective result{0, size - 2 * product(b) + product(image)};
       double wanted = std::abs(result.least);
       if (needs_misfit) {
-        problem_.system().data().values(c, at_points_);
+        const auto fitted = problem_.values(c);
         for (std::size_t i = 0; i < v.size(); ++i)
-          result.misfit += problem_.weight()[i] * (v[i] - at_points_[i]) * (v[i] - at_points_[i]);
+          result.misfit += problem_.weight()[i] * (v[i] - fitted[i]) * (v[i] - fitted[i]);
         wanted = std::min(wanted, result.misfit);
       }
       const double needed = std::sqrt(1e-3 * wanted / std::max(product(b), 1e-300));
@@ -100,10 +100,9 @@ private:
     }
   }
 
-  FitProblem& problem_;
+  PenalisedProblem& problem_;
   IterationLimits limits_;
   std::vector<std::vector<double>> probes_, starts_;
-  std::vector<double> at_points_ = std::vector<double>(problem_.size());
   std::map<double, Value> values_;
   double work_ = 0;
 };
@@ -153,7 +152,7 @@ namespace {
 
 /// Minimum of the parabola through scores of the last grid around the one found. Misfits are those of the last grid; so
 /// is the first probe's trace, while the other probes' part of it is taken over from the grid of the search.
-double refined(double log_lambda, Score& searched, FitProblem& problem, const FitOptions& options, double& work) {
+double refined(double log_lambda, Score& searched, PenalisedProblem& problem, const FitOptions& options, double& work) {
   Score last(problem, options, 1);
   const auto score = [&](double x) {
     auto value = last(x);
@@ -169,24 +168,24 @@ double refined(double log_lambda, Score& searched, FitProblem& problem, const Fi
 
 }  // namespace
 
-CrossValidationResult cross_validate(FitProblem& problem, const FitData& data, const FitOptions& options) {
-  const Rectangle& region = problem.hierarchy().region();
-  const Rectangle grid = search_grid(region, data.size());
+CrossValidationResult cross_validate(PenalisedProblem& problem, const FitOptions& options) {
+  const Rectangle& region = problem.region();
+  const Rectangle grid = search_grid(region, problem.size());
   const bool last_grid = grid.x.cells() == region.x.cells() && grid.y.cells() == region.y.cells();
-  std::optional<FitProblem> coarse;
-  if (!last_grid) coarse.emplace(data, grid, options);
-  FitProblem& searched = last_grid ? problem : *coarse;
-  Score score(searched, options, probe_count(data.size()));
+  std::unique_ptr<PenalisedProblem> coarse;
+  if (!last_grid) coarse = problem.on(grid);
+  PenalisedProblem& searched = last_grid ? problem : *coarse;
+  Score score(searched, options, probe_count(problem.size()));
   search(score, options, last_grid);
 
   const double bottom = std::log10(smallest_lambda), found = score.log_lambda_of_least();
   CrossValidationResult result;
-  result.effective_degrees = static_cast<double>(data.size()) * (1 - score(found).free);
+  result.effective_degrees = static_cast<double>(problem.size()) * (1 - score(found).free);
   double log_lambda = found;
   if (!last_grid && found > bottom)
     log_lambda = std::max(bottom, refined(found, score, problem, options, result.refinement_work));
-  result.work = result.refinement_work + score.work() * static_cast<double>(searched.system().size()) /
-                                             static_cast<double>(problem.system().size());
+  result.work = result.refinement_work +
+                score.work() * static_cast<double>(searched.unknowns()) / static_cast<double>(problem.unknowns());
   if (last_grid) result.start = score.last_solution();
   result.interior = log_lambda > bottom;
   result.lambda = result.interior ? std::pow(10., log_lambda) : smallest_lambda;

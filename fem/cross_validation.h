@@ -26,6 +26,6 @@ struct CrossValidationResult {
 /// with the trace estimated by probes of random signs [Hutchinson 1990] that stay the same for all λ and grids. The
 /// search runs on a grid with at least 2 sqrt(N) cells on each side, if the last one is finer; a parabola through three
 /// scores on the last grid refines it.
-CrossValidationResult cross_validate(FitProblem& problem, const FitData& data, const FitOptions& options);
+CrossValidationResult cross_validate(PenalisedProblem& problem, const FitOptions& options);
 
 }  // namespace batten

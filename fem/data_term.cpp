@@ -4,7 +4,9 @@
 #include <batten/fem/data_term.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
 
 namespace batten {
@@ -35,6 +37,10 @@ std::vector<std::size_t> cell_order(const GridPoints& p, const SplineSpace& spac
   return order;
 }
 
+bool GridPoints::are_slopes() const {
+  return !kind.empty() && std::find(kind.begin(), kind.end(), Measured::Value) == kind.end();
+}
+
 DataTerm::DataTerm(const SplineSpace& space, const GridPoints& points, bool stored)
     : space_(space), points_(&points), stored_(stored || points.size() > space.size()) {
   const auto& y = space.y.interval();
@@ -51,10 +57,75 @@ DataTerm::DataTerm(const SplineSpace& space, const GridPoints& points, bool stor
 
 PointRow DataTerm::row(std::size_t point) const {
   if (!rows_.empty()) return rows_[point];
-  const auto x = space_.x.at(points_->x[point]), y = space_.y.at(points_->y[point]);
+  const Measured kind = points_->kind.empty() ? Measured::Value : points_->kind[point];
+  const bool slope_x = kind == Measured::SlopeX, slope_y = kind == Measured::SlopeY;
+  const auto x = space_.x.at(points_->x[point], slope_x), y = space_.y.at(points_->y[point], slope_y);
   PointRow result{x.first, y.first, {}, {}};
   result.x = x.values;
   result.y = y.values;
+  if (slope_x)
+    for (double& v : result.x) v /= space_.hx;
+  if (slope_y)
+    for (double& v : result.y) v /= space_.hy;
+  return result;
+}
+
+PointRow DataTerm::absolute_row(std::size_t point) const {
+  PointRow result = row(point);
+  for (auto* part : {&result.x, &result.y})
+    for (double& v : *part) v = std::abs(v);
+  return result;
+}
+
+void DataTerm::add_absolute_adjoint(std::span<const double> v, std::span<double> c) const {
+  for_alternating_blocks(cell_row_blocks(space_), [&](int begin, int end) {
+    for (std::size_t i = first_point(begin); i < first_point(end); ++i) {
+      const PointRow one = absolute_row(i);
+      add_point_values(grid(), {&one, 1}, v.data() + i, c.data());
+    }
+  });
+}
+
+std::vector<double> DataTerm::compliance(std::span<const double> inverse) const {
+  std::vector<double> result(size());
+  if (size() == 0) return result;
+  if (points_->kind.empty()) {
+    std::vector<double> ones(size(), 1.), sum(space_.size());
+    add_adjoint(ones, sum);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] *= inverse[i];
+    fill_images(space_, sum);
+    values(sum, result);
+    return result;
+  }
+  for_blocks(cell_row_blocks(space_), [&](int begin, int end) {
+    for (std::size_t i = first_point(begin); i < first_point(end); ++i) {
+      PointRow squares = row(i);
+      for (auto* part : {&squares.x, &squares.y})
+        for (double& v : *part) v *= v;
+      point_values(grid(), {&squares, 1}, inverse.data(), result.data() + i);
+    }
+  });
+  return result;
+}
+
+std::vector<double> DataTerm::lumped() const {
+  std::vector<double> result(space_.size());
+  const bool are_values = points_->kind.empty();
+  if (stored_ && are_values)
+    stencil_.add_product(1, std::vector<double>(result.size(), 1.), result);
+  else if (stored_)
+    return stencil_.absolute_row_sums();
+  else if (are_values)
+    add_adjoint(weights_, result);
+  else {
+    std::vector<double> sums(size());  // w_i Σ_j |b_i[j]|
+    for (std::size_t i = 0; i < size(); ++i) {
+      const PointRow one = absolute_row(i);
+      sums[i] = weights_[i] * std::accumulate(one.x.begin(), one.x.end(), 0.) *
+                std::accumulate(one.y.begin(), one.y.end(), 0.);
+    }
+    add_absolute_adjoint(sums, result);
+  }
   return result;
 }
 

@@ -12,10 +12,16 @@
 
 namespace batten {
 
+/// What is measured at a point of a spline p: its value, or a derivative in normalised coordinates.
+enum class Measured : unsigned char { Value, SlopeX, SlopeY };
+
 /// Positions of measurements in cells of the finest level, ordered by cell row and then by cell column.
 struct GridPoints {
   std::vector<double> x, y;
+  std::vector<Measured> kind;  ///< empty: all are values
   std::size_t size() const { return x.size(); }
+  /// True if there are measurements and none sees a constant.
+  bool are_slopes() const;
 };
 
 /// The indices of points in the order that GridPoints asks for, by cell row, cell column and index.
@@ -30,7 +36,7 @@ std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::si
 }
 
 /// The data part Σ_i w_i b_i b_i^T of a least-squares fit on one level; b_i holds the values of the basis functions at
-/// point i.
+/// point i, or their derivatives where those are measured.
 ///
 /// Few points are applied one by one; where points outnumber the coefficients, their sum is stored as a symmetric
 /// stencil of (2d+1)² entries for each coefficient. Both add fixed blocks of rows in a fixed order: same bits for every
@@ -42,6 +48,8 @@ public:
 
   std::size_t size() const { return points_->size(); }
   bool is_stored() const { return stored_; }
+  /// True if there are measurements and none sees a constant.
+  bool are_slopes() const { return points_->are_slopes(); }
 
   /// The weights w_i, in the order of the points.
   void set_weights(std::span<const double> weights);
@@ -50,10 +58,18 @@ public:
   void set_from_finer(const DataTerm& finer, const TensorSum& restriction);
   std::span<const double> weights() const { return weights_; }
 
-  /// out_i = Σ_j b_i[j] c_j: the spline at the points.
+  /// out_i = Σ_j b_i[j] c_j: the measurements of the spline.
   void values(std::span<const double> c, std::span<double> out) const;
   /// c += Σ_i v_i b_i. On a periodic space, c holds nothing at images before and after; the same is true of add_normal.
   void add_adjoint(std::span<const double> v, std::span<double> c) const;
+  /// How much the measurements change where each is pulled with force 1 against springs of compliance `inverse`. Values
+  /// nearby all pull alike: comp_i = Σ_j b_i · diag(inverse) b_j. Forces on derivatives do not add up, as the sum of
+  /// dipoles that lie densely has no effect inside: comp_i = b_i · diag(inverse) b_i (measured: with absolute values in
+  /// the sum instead, three times as many iterations).
+  std::vector<double> compliance(std::span<const double> inverse) const;
+  /// The diagonal of a matrix that is at least Σ_i w_i b_i b_i^T: B^T w of values, which are not negative and sum to 1;
+  /// of derivatives |B|^T W |B| 1, or sums of the absolute entries of the stencil.
+  std::vector<double> lumped() const;
   /// out += factor Σ_i w_i b_i (b_i · c)
   void add_normal(double factor, std::span<const double> c, std::span<double> out) const;
   /// The same for the rows of a range, upwards: row j is complete after the call for j. Reads rows j - d .. j + d of c,
@@ -74,6 +90,8 @@ private:
   template <typename Work>
   void for_rows(int begin, int end, Work&& work) const;
   void accumulate_cell_row(int cell_row);
+  PointRow absolute_row(std::size_t point) const;
+  void add_absolute_adjoint(std::span<const double> v, std::span<double> c) const;
   PointGrid grid() const { return {space_.x.size(), space_.x.degree() + 1}; }
 
   SplineSpace space_;

@@ -10,6 +10,7 @@ namespace batten {
 
 Energy Energy::thin_plate() { return tension(0); }
 Energy Energy::membrane() { return tension(1); }
+Energy Energy::third_derivatives() { return sum_of({{1, 3, 0}, {3, 2, 1}, {3, 1, 2}, {1, 0, 3}}); }
 
 Energy Energy::tension(double tension) {
   if (!(tension >= 0 && tension <= 1))
@@ -25,8 +26,8 @@ Energy Energy::sum_of(std::vector<Term> terms) {
   for (const Term& t : terms) {
     if (!std::isfinite(t.weight) || t.weight <= 0)
       throw InvalidInput("Energy::sum_of: expected finite positive weights, found " + std::to_string(t.weight));
-    if (t.x_order < 0 || t.y_order < 0 || t.x_order > 2 || t.y_order > 2 || t.x_order + t.y_order == 0)
-      throw InvalidInput("Energy::sum_of: expected orders from 0 to 2, not both 0, found " + std::to_string(t.x_order) +
+    if (t.x_order < 0 || t.y_order < 0 || t.x_order > 3 || t.y_order > 3 || t.x_order + t.y_order == 0)
+      throw InvalidInput("Energy::sum_of: expected orders from 0 to 3, not both 0, found " + std::to_string(t.x_order) +
                          " and " + std::to_string(t.y_order));
   }
   return Energy(std::move(terms));
@@ -75,7 +76,7 @@ int Energy::order() const {
 }
 
 int Energy::null_degree() const {
-  int least = 2;
+  int least = 3;
   for (const auto& t : terms_) least = std::min(least, t.x_order + t.y_order);
   return least - 1;
 }

@@ -18,6 +18,10 @@ namespace batten {
 namespace {
 
 Smoothing checked(const FitOptions& options) {
+  if (options.degree < 2 || options.degree > 3)
+    throw InvalidInput("fit_surface: expected degree 2 or 3, found " + std::to_string(options.degree));
+  if (options.energy.null_degree() > 1)
+    throw InvalidInput("fit_surface: expected an energy with first or second derivatives, found third ones alone");
   const Smoothing s = options.smoothing;
   if (s.kind == Smoothing::Kind::Fixed && !(s.value >= 0 && std::isfinite(s.value)))
     throw InvalidInput("fit_surface: expected a smoothing that is not negative, found " + number_text(s.value, 6));
@@ -59,21 +63,8 @@ void check_tolerance(const Observations& o, double unit) {
   }
 }
 
-/// `start`: coefficients to begin with, or none.
-ScaledFit solve_fixed(FitProblem& problem, double lambda, const FitOptions& options, std::vector<double> start = {}) {
-  start.resize(problem.system().size());
-  ScaledFit fit{std::move(start), lambda, 0, 0};
-  problem.system().set(lambda, problem.weight());
-  const auto b = problem.right_side(problem.weight(), problem.value());
-  if (options.progress) options.progress("solve", 0);
-  const auto result = solve(problem.system(), b, fit.coefficients, options.limits);
-  fit.iterations = result.iterations;
-  fit.accuracy = result.accuracy;
-  return fit;
-}
-
-ScaledFit solve_automatic(FitProblem& problem, const FitData& data, const FitOptions& options, FitResult& result) {
-  auto found = timed(result.seconds, "cross-validation", [&] { return cross_validate(problem, data, options); });
+ScaledFit solve_automatic(FitProblem& problem, const FitOptions& options, FitResult& result) {
+  auto found = timed(result.seconds, "cross-validation", [&] { return cross_validate(problem, options); });
   result.effective_degrees = found.effective_degrees;
   result.no_interior_minimum = !found.interior;
   result.search_iterations = static_cast<int>(std::ceil(found.work));
@@ -170,7 +161,7 @@ FitResult fit_surface(const Observations& observations, const Rectangle& region,
   ScaledFit fit;
   switch (smoothing.kind) {
     case Smoothing::Kind::Automatic:
-      fit = solve_automatic(problem, data, options, result);
+      fit = solve_automatic(problem, options, result);
       break;
     case Smoothing::Kind::Fixed:
       fit = timed(result.seconds, "solve", [&] { return solve_fixed(problem, smoothing.value, options); });

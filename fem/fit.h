@@ -82,7 +82,8 @@ struct FitResult {
 ///
 /// with the energy E measured in coordinates in which the longer side of the region (y times aspect) has length 1; the
 /// sides are natural (free). Observations outside the region are left out. Throws InvalidInput for data that do not
-/// determine the surface (three points not on a line for the thin plate, one point otherwise), for weights that are
+/// determine the surface (three points not on a line for the thin plate, one point otherwise), for energies of third
+/// derivatives alone, degrees other than 2 and 3, weights that are
 /// negative, not finite or all zero, values that are not finite, coincident points further apart than twice the
 /// tolerance; SolverError if the iteration fails.
 FitResult fit_surface(const Observations& observations, const Rectangle& region, const FitOptions& options = {});

@@ -140,26 +140,23 @@ GridPoints to_cells(const FitData& d, const Hierarchy& hierarchy) {
     points.x.push_back(space.x.interval().to_cells(d.x[i]));
     points.y.push_back(space.y.interval().to_cells(d.y[i]));
   }
+  points.kind = d.kind;
   return points;
 }
 
-}  // namespace
-
-namespace {
-
-int checked_degree(int degree) {
-  if (degree < 2 || degree > 3)
-    throw InvalidInput("fit_surface: expected degree 2 or 3, found " + std::to_string(degree));
-  return degree;
+GridPoints in_order(const GridPoints& p, const std::vector<std::size_t>& order) {
+  return {reordered(p.x, order), reordered(p.y, order), p.kind.empty() ? p.kind : reordered(p.kind, order)};
 }
 
 }  // namespace
 
 FitProblem::FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options)
-    : hierarchy_(options.energy, region, checked_degree(options.degree), {options.aspect}),
+    : data_(data),
+      options_(options),
+      hierarchy_(options.energy, region, options.degree, {options.aspect}),
       points_(to_cells(data, hierarchy_)),
       order_(cell_order(points_, hierarchy_.finest().space)),
-      system_((points_ = {reordered(points_.x, order_), reordered(points_.y, order_)}, hierarchy_), points_) {
+      system_((points_ = in_order(points_, order_), hierarchy_), points_) {
   value_ = reordered(data.value, order_);
   weight_ = reordered(data.weight, order_);
 }
@@ -171,11 +168,26 @@ std::vector<double> FitProblem::right_side(std::span<const double> weights, std:
   return b;
 }
 
-std::vector<double> FitProblem::residuals(std::span<const double> coefficients) const {
-  std::vector<double> r(size());
-  system_.data().values(coefficients, r);
-  for (std::size_t i = 0; i < size(); ++i) r[i] = value_[i] - r[i];
-  return r;
+std::vector<double> FitProblem::values(std::span<const double> c) const {
+  std::vector<double> result(size());
+  system_.data().values(c, result);
+  return result;
+}
+
+std::unique_ptr<PenalisedProblem> FitProblem::on(const Rectangle& grid) const {
+  return std::make_unique<FitProblem>(data_, grid, options_);
+}
+
+ScaledFit solve_fixed(PenalisedProblem& problem, double lambda, const FitOptions& options, std::vector<double> start) {
+  start.resize(problem.unknowns());
+  ScaledFit fit{std::move(start), lambda, 0, 0};
+  problem.set(lambda);
+  const auto b = problem.right_side(problem.weight(), problem.value());
+  if (options.progress) options.progress("solve", 0);
+  const auto result = problem.solve(b, fit.coefficients, options.limits, 0);
+  fit.iterations = result.iterations;
+  fit.accuracy = result.accuracy;
+  return fit;
 }
 
 }  // namespace batten

@@ -4,6 +4,7 @@
 #include <batten/fem/conjugate_gradients.h>
 #include <batten/fem/fit.h>
 #include <batten/fem/null_space.h>
+#include <batten/fem/penalised_problem.h>
 
 #include <memory>
 #include <vector>
@@ -14,6 +15,7 @@ namespace batten {
 struct FitData {
   std::vector<double> x, y;         ///< in the observations' own units
   std::vector<double> value;        ///< (z - null element) / scale
+  std::vector<Measured> kind;       ///< of the spline or which derivative; empty: all are values
   std::vector<double> weight;       ///< sum 1, all positive
   std::vector<std::size_t> source;  ///< index among the observations (the first of merged ones)
   LinearFunction null_element;      ///< of the observations, in x and y
@@ -33,9 +35,11 @@ struct PreparedData {
 PreparedData prepare(const Observations& observations, const Rectangle& region, const Energy& energy,
                      bool merge_coincident);
 
-/// A penalised least-squares problem on one grid: the data ordered by its cells, the levels and the solver.
-class FitProblem {
+/// The penalised least-squares problem of one spline on one grid: the data ordered by its cells, the levels and the
+/// solver.
+class FitProblem : public PenalisedProblem {
 public:
+  /// Of the options the energy, degree and aspect. The data are kept by reference.
   FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options);
   FitProblem(const FitProblem&) = delete;
   FitProblem& operator=(const FitProblem&) = delete;
@@ -43,19 +47,27 @@ public:
   const Hierarchy& hierarchy() const { return hierarchy_; }
   Multigrid& system() { return system_; }
   const Multigrid& system() const { return system_; }
+  const GridPoints& points() const { return points_; }  ///< ordered by cell
 
-  const GridPoints& points() const { return points_; }              ///< ordered by cell
-  const std::vector<double>& value() const { return value_; }       ///< in the order of points()
-  const std::vector<double>& weight() const { return weight_; }     ///< in the order of points()
-  const std::vector<std::size_t>& order() const { return order_; }  ///< index in FitData of each of points()
-  std::size_t size() const { return value_.size(); }
-
-  /// Σ_i weights_i values_i b_i
-  std::vector<double> right_side(std::span<const double> weights, std::span<const double> values) const;
-  /// value - p at the points.
-  std::vector<double> residuals(std::span<const double> coefficients) const;
+  const Rectangle& region() const override { return hierarchy_.region(); }
+  std::size_t unknowns() const override { return system_.size(); }
+  const std::vector<double>& value() const override { return value_; }
+  const std::vector<double>& weight() const override { return weight_; }
+  const std::vector<std::size_t>& order() const override { return order_; }
+  void set(double lambda) override { system_.set(lambda, weight_); }
+  bool can_predict() const override { return system_.can_predict(); }
+  double apply(std::span<const double> c, std::span<double> out) const override { return system_.apply(c, out); }
+  IterationResult solve(std::span<const double> b, std::span<double> c, const IterationLimits& limits,
+                        double scale) const override {
+    return batten::solve(system_, b, c, limits, scale);
+  }
+  std::vector<double> right_side(std::span<const double> weights, std::span<const double> values) const override;
+  std::vector<double> values(std::span<const double> c) const override;
+  std::unique_ptr<PenalisedProblem> on(const Rectangle& grid) const override;
 
 private:
+  const FitData& data_;
+  FitOptions options_;
   Hierarchy hierarchy_;
   GridPoints points_;
   std::vector<double> value_, weight_;
@@ -70,5 +82,9 @@ struct ScaledFit {
   int iterations = 0;
   double accuracy = 0;
 };
+
+/// The fit for a given λ. `start`: coefficients to begin with, or none.
+ScaledFit solve_fixed(PenalisedProblem& problem, double lambda, const FitOptions& options,
+                      std::vector<double> start = {});
 
 }  // namespace batten

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/blocks.h>
 #include <batten/domains/errors.h>
 #include <batten/fem/multigrid.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace batten {
 namespace {
@@ -18,12 +21,30 @@ constexpr double largest_predicted_stiffness = 1e8;
 
 }  // namespace
 
+namespace {
+
+/// Keeps rounding from adding up in a constant that no equation knows.
+void subtract_mean(std::vector<double>& v) {
+  constexpr int row = 1024;
+  const auto n = static_cast<std::ptrdiff_t>(v.size());
+  const double sum = sum_blocks(RowBlocks(static_cast<int>((n + row - 1) / row), row), [&](int begin, int end) {
+    return std::accumulate(v.begin() + begin * std::ptrdiff_t{row},
+                           v.begin() + std::min<std::ptrdiff_t>(n, end * std::ptrdiff_t{row}), 0.);
+  });
+  const double mean = sum / static_cast<double>(n);
+#pragma omp parallel for simd schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) v[static_cast<std::size_t>(i)] -= mean;
+}
+
+}  // namespace
+
 Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
     : hierarchy_(&hierarchy),
       streams_(points.size() == 0 && !hierarchy.finest().energy.stencil() && !hierarchy.finest().space.is_periodic()),
       vectors_(static_cast<std::size_t>(hierarchy.size())),
       degree_(smoothing_degree(hierarchy.degree())),
-      repeats_(hierarchy.finest().energy.stencil() != nullptr) {
+      repeats_(hierarchy.finest().energy.stencil() != nullptr),
+      grounded_(points.are_slopes()) {
   for (int k = 0; k < hierarchy.size(); ++k) {
     const std::size_t n = hierarchy[k].space.size();
     levels_.emplace_back(hierarchy[k], points, k + 1 == hierarchy.size());
@@ -66,7 +87,10 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
   }
   factor_coarsest();
   if (streams_) streamed_.emplace(*hierarchy_, degree_, lambda, *coarsest_);
-  can_predict_ = levels_.size() > 1 && !data_aware_ && finest.stiffness() < largest_predicted_stiffness;
+  // by differences, rounding grows with the root of the stiffness only
+  const bool by_differences = !finest.level().energy.stencil() && hierarchy_->energy().order() > 2;
+  const double rounding = by_differences ? std::sqrt(finest.stiffness()) : finest.stiffness();
+  can_predict_ = levels_.size() > 1 && !data_aware_ && rounding < largest_predicted_stiffness;
   null_projection_.reset();
   if (lambda > very_large_lambda)
     null_projection_.emplace(finest.level().space, data(), hierarchy_->energy().null_degree());
@@ -83,6 +107,7 @@ void Multigrid::factor_coarsest() {
     for (int i = 0; i < nx; ++i)
       for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
         for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
+          if (grounded_ && i + j == 0 && dx + dy > 0) continue;
           double value = level.lambda() * level.level().energy.entry(i, j, i + dx, j + dy) +
                          level.data().stencil().entry(i, j, dx, dy);
           if (dx == 0 && dy == 0 && space.is_removed(i, j)) entries.emplace_back(j * nx + i, j * nx + i, 1.);
@@ -115,6 +140,7 @@ void Multigrid::precondition(std::span<const double> r, std::vector<double>& out
     cycle(level, r);
     std::swap(out, work_[level].x);
   }
+  if (grounded_) subtract_mean(out);
   if (project) null_projection_->project(out);
 }
 
@@ -122,6 +148,7 @@ void Multigrid::cycle(std::size_t k, std::span<const double> r) const {
   auto& work = work_[k];
   if (k + 1 == levels_.size()) {
     work.x.assign(r.begin(), r.end());
+    if (grounded_) work.x.front() = 0;
     coarsest_->solve(work.x);
     return fill_images(levels_[k].level().space, work.x);
   }

@@ -15,11 +15,11 @@ double largest(std::span<const double> values) {
 
 }  // namespace
 
-ScaledFit interpolate(FitProblem& problem, const FitOptions& options) {
+ScaledFit interpolate(PenalisedProblem& problem, const FitOptions& options, double lambda) {
   constexpr int most_steps = 12;
   constexpr double goal = 1e-10;
-  ScaledFit fit{std::vector<double>(problem.system().size()), interpolation_lambda, 0, 0};
-  problem.system().set(fit.lambda, problem.weight());
+  ScaledFit fit{std::vector<double>(problem.unknowns()), lambda, 0, 0};
+  problem.set(fit.lambda);
   auto residual = problem.residuals(fit.coefficients);
   double before = largest(residual);
   std::vector<double> step(fit.coefficients.size());
@@ -27,7 +27,7 @@ ScaledFit interpolate(FitProblem& problem, const FitOptions& options) {
     // Data moved by the sum of residuals give the old solution plus the one for the last residual.
     std::fill(step.begin(), step.end(), 0.);
     const auto b = problem.right_side(problem.weight(), residual);
-    const auto result = solve(problem.system(), b, step, options.limits);
+    const auto result = problem.solve(b, step, options.limits, 0);
     fit.iterations += result.iterations;
     fit.accuracy = std::max(fit.accuracy * before, result.accuracy);
     for (std::size_t i = 0; i < step.size(); ++i) fit.coefficients[i] += step[i];

@@ -10,9 +10,9 @@ namespace batten {
 /// The λ of the augmented Lagrangian: small, so that few outer steps are needed; the solver does not mind.
 constexpr double interpolation_lambda = 1e-14;
 
-/// Least energy with p(x_i) = z_i, by the method of multipliers: solves with λ = interpolation_lambda for data that are
+/// Least energy with p(x_i) = z_i, by the method of multipliers: solves with the given λ for data that are
 /// moved by the residuals so far, until the largest residual is below 1e-10 of the data's range or stops falling.
-ScaledFit interpolate(FitProblem& problem, const FitOptions& options);
+ScaledFit interpolate(PenalisedProblem& problem, const FitOptions& options, double lambda = interpolation_lambda);
 
 /// Least energy with |p(x_i) - z_i| <= tolerances_i (in the scale of the data, in the order of problem.points())
 /// [Kersey 2003], by the method of multipliers

@@ -16,7 +16,7 @@ namespace batten {
 /// complement, where the energy alone is definite, and the component in the null space is found from the data.
 class NullProjection {
 public:
-  /// `degree`: of the polynomials without energy, 0 or 1.
+  /// `degree`: of the polynomials without energy, 0, 1 or 2. Constants are left alone where no measurement sees them.
   NullProjection(const SplineSpace& space, const DataTerm& data, int degree);
 
   /// c - N (N^T M N)^-1 N^T M c with M = B^T W B: the part of c in the complement.
@@ -27,7 +27,7 @@ public:
   void set_component(std::span<const double> b, std::span<double> c) const;
 
 private:
-  Eigen::MatrixXd functions_;  // N: coefficients of 1, or of 1, s, t
+  Eigen::MatrixXd functions_;  // N: coefficients of the polynomials
   Eigen::MatrixXd products_;   // M N
   Eigen::MatrixXd inverse_;    // (N^T M N)^-1
 };

@@ -8,6 +8,45 @@
 #include <vector>
 
 namespace batten {
+namespace {
+
+/// Coefficients of (x - x0)² / length², means of products of two different knots, less those of ((x - x0) / length)²
+/// at the Greville abscissae.
+std::vector<double> square_excess(const SplineBasis& basis, double length) {
+  const auto& interval = basis.interval();
+  const int d = basis.degree();
+  const double unit = interval.length() / interval.finest_cells() / length;
+  std::vector<double> result;
+  for (int i = 0; i < basis.size(); ++i) {
+    double sum = 0, squares = 0;
+    const double origin = interval.breakpoints()[static_cast<std::size_t>(std::clamp(i - d / 2, 0, interval.cells()))];
+    for (int k = 1; k <= d; ++k) {
+      const double t =
+          interval.breakpoints()[static_cast<std::size_t>(std::clamp(i + k - d, 0, interval.cells()))] - origin;
+      sum += t;
+      squares += t * t;
+    }
+    result.push_back(unit * unit * ((sum * sum - squares) / (d * (d - 1.)) - sum * sum / (static_cast<double>(d) * d)));
+  }
+  return result;
+}
+
+}  // namespace
+
+double QuadraticFunction::operator()(double x, double y) const {
+  const double s = (x - x0) / length, t = (y - y0) / length;
+  return c[0] + c[1] * s + c[2] * t + c[3] * s * s + c[4] * s * t + c[5] * t * t;
+}
+
+void QuadraticFunction::add_to(const SplineSpace& space, std::span<double> coefficients) const {
+  const auto gx = space.x.greville(), gy = space.y.greville();
+  const auto ex = square_excess(space.x, length), ey = square_excess(space.y, length);
+  std::size_t index = 0;
+  for (std::size_t j = 0; j < gy.size(); ++j)
+    for (std::size_t i = 0; i < gx.size(); ++i)
+      coefficients[index++] += (*this)(gx[i], gy[j]) + c[3] * ex[i] + c[5] * ey[j];
+}
+
 void LinearFunction::add_to(const SplineSpace& space, std::span<double> coefficients) const {
   const auto gx = space.x.greville(), gy = space.y.greville();
   std::size_t index = 0;

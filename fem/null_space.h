@@ -19,6 +19,17 @@ struct LinearFunction {
   void add_to(const SplineSpace& space, std::span<double> coefficients) const;
 };
 
+/// A quadratic function in normalised coordinates from a centre of its own, s = (x - x0) / length, t = (y - y0) /
+/// length: Σ_k c_k m_k, m = 1, s, t, s², s t, t².
+struct QuadraticFunction {
+  std::array<double, 6> c{};
+  double x0 = 0, y0 = 0, length = 1;
+
+  double operator()(double x, double y) const;
+  /// Adds this function to the spline with the given coefficients, of degree 2 or more.
+  void add_to(const SplineSpace& space, std::span<double> coefficients) const;
+};
+
 /// How far points (x[i], y[i]) are from lying on one line: smallest over largest principal extent, 0 on a line, 1 for a
 /// disc.
 double flatness(std::span<const double> x, std::span<const double> y);

@@ -37,26 +37,28 @@ BandedRows plus(BandedRows a, double factor, const BandedRows& b) {
   return a;
 }
 
-using Grams = std::array<BandedRows, 3>;
+constexpr int most_orders = 4;          // derivatives of order 0 to 3
+using Grams = std::vector<BandedRows>;  // by the order
+using Factors = std::array<double, most_orders>;
 
-Grams inner_products(const SplineBasis& basis) {
+Grams inner_products(const SplineBasis& basis, int orders) {
   Grams grams;
-  for (int r = 0; r < 3; ++r) grams[static_cast<std::size_t>(r)] = basis.inner_products(std::min(r, basis.degree()));
+  for (int r = 0; r < orders; ++r) grams.push_back(basis.inner_products(std::min(r, basis.degree())));
   return grams;
 }
 
 /// Σ_r factor[r] gram_r with the scales multiplied in; a single term keeps its integers.
-BandedRows mixture(const Grams& gram, const std::array<double, 3>& factor, double& outer) {
-  int used = 0, last = 0;
-  for (int r = 0; r < 3; ++r)
-    if (factor[static_cast<std::size_t>(r)] != 0) {
+BandedRows mixture(const Grams& gram, const Factors& factor, double& outer) {
+  std::size_t used = 0, last = 0;
+  for (std::size_t r = 0; r < gram.size(); ++r)
+    if (factor[r] != 0) {
       ++used;
       last = r;
     }
   outer = 1;
   if (used == 1) {
-    outer = factor[static_cast<std::size_t>(last)];
-    return gram[static_cast<std::size_t>(last)];
+    outer = factor[last];
+    return gram[last];
   }
   BandedRows sum = gram[0];
   sum.scale = 1;
@@ -66,17 +68,19 @@ BandedRows mixture(const Grams& gram, const std::array<double, 3>& factor, doubl
   }
   for (std::size_t k = 0; k < sum.weights.size(); ++k) {
     sum.weights[k] = 0;
-    for (std::size_t r = 0; r < 3; ++r) sum.weights[k] += factor[r] * gram[r].scale * gram[r].weights[k];
+    for (std::size_t r = 0; r < gram.size(); ++r) sum.weights[k] += factor[r] * gram[r].scale * gram[r].weights[k];
   }
   return sum;
 }
 
 /// One Kronecker term for each order of the derivative in y; the orders in x that go with it are mixed into one band.
 TensorSum build_products(const Energy& energy, const SplineSpace& space) {
-  const Grams gram_x = inner_products(space.x), gram_y = inner_products(space.y);
+  int orders = 3;
+  for (const auto& t : energy.terms()) orders = std::max({orders, t.x_order + 1, t.y_order + 1});
+  const Grams gram_x = inner_products(space.x, orders), gram_y = inner_products(space.y, orders);
   std::vector<TensorSum::Term> terms;
-  for (int b = 0; b < 3; ++b) {
-    std::array<double, 3> factor{};
+  for (int b = 0; b < orders; ++b) {
+    Factors factor{};
     bool used = false;
     for (const auto& t : energy.terms()) {
       if (t.y_order != b) continue;
@@ -128,6 +132,8 @@ Operator::Operator(const Energy& energy, const SplineSpace& space)
       images_y_(space.y.images()),
       products_(build_products(energy, space)),
       inside_(EvenStencil::inside(*products_)) {
+  if (energy.order() > 2 && space.x.ends().are_free() && space.y.ends().are_free())
+    by_differences_.emplace(energy, space);
   if (energy.curvature() != 0 && has_free_end(space.y)) end_rows_ = build_end_rows(energy.curvature(), space);
 }
 

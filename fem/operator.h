@@ -4,6 +4,7 @@
 #include <batten/bases/even_stencil.h>
 #include <batten/bases/repeated_rows.h>
 #include <batten/bases/tensor_sum.h>
+#include <batten/fem/difference_rows.h>
 #include <batten/fem/energy.h>
 #include <batten/fem/spline_space.h>
 #include <batten/fem/symmetric_stencil.h>
@@ -34,6 +35,11 @@ public:
 
   /// Row j of E c: writes columns() numbers to `out`. One thread.
   void row(int j, std::span<const double> c, double* out) const;
+  /// The same by differences first where derivatives are of third order, whose sums of products would drown what is
+  /// smooth in rounding, ε / h^6: for residuals and the products of conjugate gradients.
+  void precise_row(int j, std::span<const double> c, double* out) const {
+    by_differences_ ? by_differences_->row(j, c.data(), out) : row(j, c, out);
+  }
   /// The same for some columns, where the rows of c need not lie one after another: c[q] is row first_row(j) + q, and
   /// out[0] belongs to column columns.begin. Of constant coefficients, on spaces that are not periodic.
   void row(int j, const double* const* c, ColumnRange columns, double* out) const;
@@ -63,8 +69,9 @@ private:
   int order_ = 0;
   int images_x_ = 0, images_y_ = 0;
   std::optional<TensorSum> products_;
-  std::optional<EvenStencil> inside_;  // of products_
-  std::optional<TensorSum> end_rows_;  // what Gaussian curvature adds to the two first and last rows
+  std::optional<EvenStencil> inside_;             // of products_
+  std::optional<TensorSum> end_rows_;             // what Gaussian curvature adds to the two first and last rows
+  std::optional<DifferenceRows> by_differences_;  // of third derivatives
   SymmetricStencil stencil_;
 };
 

@@ -87,17 +87,13 @@ void Smoother::for_energy_diagonal(Visit&& visit) const {
   }
 }
 
-/// D, plus the lumped data B^T w = (B^T W B) 1 where they are not to be inverted exactly.
+/// D, plus the lumped data where they are not to be inverted exactly.
 void Smoother::set_diagonal(Kind kind) {
   points_factor_.reset();
   grid_factor_.reset();
   if (kind == Kind::Plain && data_.size() == 0 && !level_->energy.stencil() && !level_->space.is_periodic())
     return;  // StreamedSmoother has its own
-  inverse_diagonal_.assign(size(), 0.);
-  if (kind == Kind::Plain && data_.is_stored())
-    data_.stencil().add_product(1, std::vector<double>(size(), 1.), inverse_diagonal_);
-  else if (kind == Kind::Plain)
-    data_.add_adjoint(data_.weights(), inverse_diagonal_);
+  inverse_diagonal_ = kind == Kind::Plain ? data_.lumped() : std::vector<double>(size());
   fold_images(level_->space, inverse_diagonal_);
   for_energy_diagonal(
       [this](std::size_t i, double d) { inverse_diagonal_[i] = inverse_or_zero(inverse_diagonal_[i] + d); });
@@ -105,12 +101,10 @@ void Smoother::set_diagonal(Kind kind) {
 
 std::vector<double> Smoother::compliance() const {
   if (data_.size() == 0) return {};
-  std::vector<double> ones(data_.size(), 1.), sum(size()), result(data_.size());
-  data_.add_adjoint(ones, sum);
-  for_energy_diagonal([&](std::size_t i, double d) { sum[i] *= inverse_or_zero(d); });
-  fill_images(level_->space, sum);
-  data_.values(sum, result);
-  return result;
+  std::vector<double> inverse(size());
+  for_energy_diagonal([&](std::size_t i, double d) { inverse[i] = inverse_or_zero(d); });
+  fill_images(level_->space, inverse);
+  return data_.compliance(inverse);
 }
 
 double Smoother::stiffness() const {
@@ -193,7 +187,7 @@ double Smoother::apply(std::span<const double> c, std::span<double> out) const {
     const double* in = c.data() + j * n;
     double* row = out.data() + j * n;
     if (stage == 0) {
-      energy.row(j, c, row);
+      energy.precise_row(j, c, row);
       for (std::ptrdiff_t i = 0; i < n; ++i) row[i] *= lambda_;
       return;
     }

@@ -18,9 +18,9 @@ namespace batten {
 /// The polynomials are those of the fourth kind, which need an upper bound of the spectrum only [Lottes 2022]; the
 /// matrix M behind them satisfies M >= A, so that bound is 1. Two choices of M:
 ///
-///   plain       M = D + diag(B^T w), D = λ bound diag(E); the data part is lumped, which suffices while it is not much
-///   stiffer. data-aware  M = D + B^T W B, inverted exactly by M^-1 = D^-1 - D^-1 B^T K^-1 B D^-1 with the sparse
-///   matrix
+///   plain       M = D + diag(B^T w), D = λ bound diag(E); the data part is lumped (of slopes: DataTerm::lumped), which
+///   suffices while it is not much stiffer. data-aware  M = D + B^T W B, inverted exactly by M^-1 = D^-1 - D^-1 B^T
+///   K^-1 B D^-1 with the sparse matrix
 ///               K = W^-1 + B D^-1 B^T of the points; its polynomial has a zero at 1, so that what the data see is
 ///               removed at once and the rest is smoothed among functions that vanish at the points. Robust for λ -> 0.
 ///               Where points outnumber coefficients M itself is factored.
@@ -42,7 +42,7 @@ public:
   double lambda() const { return lambda_; }
   std::size_t size() const { return level_->space.size(); }
 
-  /// How much the points give way when D alone resists: comp_i = Σ_j b_i · D^-1 b_j, in the order of the points.
+  /// How much the points give way when D alone resists (DataTerm::compliance of D^-1), in the order of the points.
   std::vector<double> compliance() const;
 
   /// The largest diagonal entry of λ E times the number of coefficients: the energy against the data.

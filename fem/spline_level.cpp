@@ -10,7 +10,7 @@
 namespace batten {
 namespace {
 
-constexpr int orders = 3;  // derivatives of order 0, 1, 2
+constexpr int orders = 4;  // derivatives of order 0 to 3
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
@@ -45,8 +45,8 @@ std::vector<Energy::Term> terms_that_count(const VariationalDomain& domain) {
 
 std::vector<SplineLevel::Monomial> annihilated(const std::vector<Energy::Term>& terms, bool interval) {
   std::vector<SplineLevel::Monomial> result;
-  for (int b = 0; b < (interval ? 1 : 2); ++b)
-    for (int a = 0; a < 2; ++a)
+  for (int b = 0; b < (interval ? 1 : 3); ++b)
+    for (int a = 0; a < 3; ++a)
       if (std::all_of(terms.begin(), terms.end(), [&](const auto& t) { return a < t.x_order || b < t.y_order; }))
         result.push_back({a, b});
   return result;

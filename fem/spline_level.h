@@ -100,7 +100,7 @@ private:
   std::vector<char> inside_;         // of each cell; empty: all
   std::vector<double> element_;      // of each cell of a coarser level of a coefficient or mask; else empty
   std::vector<int> number_, grid_;
-  std::vector<KnotSplines::LocalMatrix> x_products_, y_products_;  // [cell * 3 + order], in the domain's own units
+  std::vector<KnotSplines::LocalMatrix> x_products_, y_products_;  // [cell * 4 + order], in the domain's own units
 };
 
 }  // namespace batten

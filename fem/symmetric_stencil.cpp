@@ -140,6 +140,20 @@ void SymmetricStencil::add_product(double factor, std::span<const double> c, std
   });
 }
 
+std::vector<double> SymmetricStencil::absolute_row_sums() const {
+  std::vector<double> result(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_));
+  for_blocks(RowBlocks(rows_, columns_ * 16), [&](int begin, int end) {
+    for (int j = begin; j < end; ++j) {
+      double* sums = result.data() + static_cast<std::ptrdiff_t>(j) * columns_;
+      for (int dy = std::max(-degree_, -j); dy <= std::min(degree_, rows_ - 1 - j); ++dy)
+        for (int dx = -degree_; dx <= degree_; ++dx)
+          for (int i = std::max(0, -dx); i < std::min(columns_, columns_ - dx); ++i)
+            sums[i] += std::abs(dy >= 0 ? entry(i, j, dx, dy) : entry(i + dx, j + dy, -dx, -dy));
+    }
+  });
+  return result;
+}
+
 SymmetricStencil SymmetricStencil::galerkin(const TensorSum& restriction) const {
   const auto& term = restriction.terms().front();
   const auto& [factor, y, x] = term;

@@ -35,6 +35,9 @@ public:
   /// out += factor A c
   void add_product(double factor, std::span<const double> c, std::span<double> out) const;
 
+  /// Σ_j |A_ij| for all i.
+  std::vector<double> absolute_row_sums() const;
+
   /// R^T A R for a refinement given by its transpose, one Kronecker product: the Galerkin matrix of the coarser level.
   SymmetricStencil galerkin(const TensorSum& restriction) const;
 

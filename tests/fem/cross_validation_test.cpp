@@ -63,7 +63,7 @@ TEST(CrossValidation, finds_the_minimum_of_the_exact_score) {
   FitOptions options;
   const auto prepared = prepare(o, unit_square(16, 16), options.energy, false);
   FitProblem problem(prepared.data, unit_square(16, 16), options);
-  const auto found = cross_validate(problem, prepared.data, options);
+  const auto found = cross_validate(problem, options);
   EXPECT_TRUE(found.interior);
   const Dense dense(problem);
   double least = INFINITY;

@@ -19,11 +19,12 @@ const std::map<std::string, Folders>& visible_folders() {
       {"domains", {"domains"}},
       {"bases", {"domains", "bases"}},
       {"fem", {"domains", "bases", "fem"}},
+      {"flows", {"domains", "bases", "fem", "flows"}},
       {"io", {"domains", "io"}},
-      {"app", {"domains", "bases", "fem", "io", "app"}},
-      {"examples", {"domains", "bases", "fem", "io", "examples"}},
-      {"bench", {"domains", "bases", "fem", "io", "bench"}},
-      {"tests", {"domains", "bases", "fem", "io", "app", "tests"}},
+      {"app", {"domains", "bases", "fem", "flows", "io", "app"}},
+      {"examples", {"domains", "bases", "fem", "flows", "io", "examples"}},
+      {"bench", {"domains", "bases", "fem", "flows", "io", "bench"}},
+      {"tests", {"domains", "bases", "fem", "flows", "io", "app", "tests"}},
   };
   return visible;
 }

@@ -29,7 +29,7 @@ std::vector<std::string> source_files(const std::filesystem::path& root);
 
 /// What the file `name` with this text breaks of:
 /// - a first line with the licence, `#pragma once` in headers, no endings but .h and .cpp, no unknown top folder;
-/// - include only downward (domains <- bases <- fem; io sees domains), own headers as <batten/folder/name.h>
+/// - include only downward (domains <- bases <- fem <- flows; io sees domains), own headers as <batten/folder/name.h>
 ///   (tests may name those of the tests by their place);
 /// - in headers nothing but Batten, the standard library and Eigen; Boost in bases/rational.h, GoogleTest below tests/;
 /// - VTK in io and tests, CGAL in domains and tests, Clp in bases, SuiteSparse in fem, tests and bench, toml++ and

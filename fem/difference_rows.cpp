@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include <batten/fem/difference_rows.h>
+#include <batten/fem/spline_space.h>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+// Kernels are compiled for the instruction sets of the x86-64 levels and chosen at start; other processors get the
+// plain ones.
+
+namespace batten {
+namespace {
+
+constexpr int piece_columns = 512, buffer_columns = piece_columns + 16, most_rows = 11;
+using Buffer = std::array<double, buffer_columns>;
+
+SplineBasis lowered(const SplineBasis& basis, int order) { return {basis.interval(), basis.degree() - order}; }
+
+/// The slopes of differences() of a basis without conditions: slope[i] (c_{i+1} - c_i).
+std::vector<double> slopes_of(const SplineBasis& basis) {
+  const BandedRows rows = basis.differences();
+  std::vector<double> result;
+  for (int i = 0; i < rows.rows; ++i) result.push_back(rows(i, i + 1));
+  return result;
+}
+
+/// D^T G for one difference: row i is slope_{i-1} G_{i-1} - slope_i G_i.
+BandedRows differences_transposed(const BandedRows& g, const std::vector<double>& slopes) {
+  BandedRows result;
+  result.rows = g.rows + 1;
+  result.columns = g.columns;
+  result.width = std::min(g.width + 1, g.columns);
+  result.scale = g.scale;
+  for (int i = 0; i < result.rows; ++i) {
+    const int above = g.first[static_cast<std::size_t>(std::max(i - 1, 0))];
+    const int first = std::min(above, result.columns - result.width);
+    result.first.push_back(first);
+    for (int k = first; k < first + result.width; ++k) {
+      double sum = i > 0 ? slopes[static_cast<std::size_t>(i - 1)] * g(i - 1, k) : 0;
+      if (i < g.rows) sum -= slopes[static_cast<std::size_t>(i)] * g(i, k);
+      result.weights.push_back(sum);
+    }
+  }
+  find_repeating_rows(result);
+  return result;
+}
+
+DifferenceRows::Direction direction(const SplineBasis& basis, int order) {
+  DifferenceRows::Direction result;
+  for (int k = 0; k < order; ++k) result.slopes.push_back(slopes_of(lowered(basis, k)));
+  result.weights = lowered(basis, order).inner_products(0);
+  result.weights.scale = 1;
+  for (int k = order - 1; k >= 0; --k)
+    result.weights = differences_transposed(result.weights, result.slopes[static_cast<std::size_t>(k)]);
+  return result;
+}
+
+/// in[0 .. count] becomes slopes[k] (in[k + 1] - in[k]), k < count.
+[[gnu::always_inline]] inline void difference(const double* slopes, int count, double* in) {
+#pragma omp simd
+  for (int k = 0; k < count; ++k) in[k] = slopes[k] * (in[k + 1] - in[k]);
+}
+
+/// rows[q][i] for q < count becomes slopes[q] (rows[q + 1][i] - rows[q][i]).
+[[gnu::always_inline]] inline void difference_rows(const double* slopes, int count, int n,
+                                                   std::array<Buffer, most_rows>& rows) {
+  for (std::size_t q = 0; q < static_cast<std::size_t>(count); ++q) {
+    const double slope = slopes[q];
+    double* __restrict low = rows[q].data();
+    const double* __restrict high = rows[q + 1].data();
+#pragma omp simd
+    for (int i = 0; i < n; ++i) low[i] = slope * (high[i] - low[i]);
+  }
+}
+
+template <int width>
+[[gnu::always_inline]] inline void combine(const double* weights, int n, const std::array<Buffer, most_rows>& rows,
+                                           double* __restrict out) {
+#pragma omp simd
+  for (int i = 0; i < n; ++i) {
+    double sum = 0;
+    for (std::size_t q = 0; q < width; ++q) sum += weights[q] * rows[q][static_cast<std::size_t>(i)];
+    out[i] = sum;
+  }
+}
+
+/// out[i] += factor Σ_q weights[q] in[i + q]
+template <int width>
+[[gnu::always_inline]] inline void add_filtered(double factor, const double* weights, int n, const double* in,
+                                                double* __restrict out) {
+  double w[width];
+  for (int q = 0; q < width; ++q) w[q] = weights[q];
+#pragma omp simd
+  for (int i = 0; i < n; ++i) {
+    double sum = 0;
+    for (int q = 0; q < width; ++q) sum += w[q] * in[i + q];
+    out[i] += factor * sum;
+  }
+}
+
+/// Calls work with the width, 1 to 11, as a constant.
+template <typename Work>
+[[gnu::always_inline]] inline void dispatch(int width, Work&& work) {
+  switch (width) {
+    case 1:
+      return work(std::integral_constant<int, 1>());
+    case 2:
+      return work(std::integral_constant<int, 2>());
+    case 3:
+      return work(std::integral_constant<int, 3>());
+    case 4:
+      return work(std::integral_constant<int, 4>());
+    case 5:
+      return work(std::integral_constant<int, 5>());
+    case 6:
+      return work(std::integral_constant<int, 6>());
+    case 7:
+      return work(std::integral_constant<int, 7>());
+    case 8:
+      return work(std::integral_constant<int, 8>());
+    case 9:
+      return work(std::integral_constant<int, 9>());
+    case 10:
+      return work(std::integral_constant<int, 10>());
+    default:
+      return work(std::integral_constant<int, 11>());
+  }
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void combine_rows(const BandedRows& weights, int j, int n, const std::array<Buffer, most_rows>& rows, double* out) {
+  const double* w = weights.weights.data() + static_cast<std::ptrdiff_t>(j) * weights.width;
+  dispatch(weights.width, [&](auto width) [[gnu::always_inline]] { combine<width>(w, n, rows, out); });
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void difference_all(const double* slopes, int count, int n, std::array<Buffer, most_rows>& rows) {
+  difference_rows(slopes, count, n, rows);
+}
+
+struct Piece {
+  int from, to;       // columns of the result
+  int first, inputs;  // columns of c that they take in
+};
+
+/// out[i - from] += factor (row i of weights) (differences of g), g[0] at column piece.first.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void add_columns(const DifferenceRows::Direction& x, double factor, const Piece& piece, Buffer& g, double* out) {
+  int count = piece.inputs;
+  for (const auto& slopes : x.slopes) difference(slopes.data() + piece.first, --count, g.data());
+  const auto& w = x.weights;
+  const int begin = std::clamp(w.begin, piece.from, piece.to), end = std::clamp(w.end, begin, piece.to);
+  for (int i = piece.from; i < piece.to; ++i) {
+    if (i == begin) i = end;  // the middle is left to the kernel
+    if (i >= piece.to) break;
+    const double* weights = w.weights.data() + static_cast<std::ptrdiff_t>(i) * w.width;
+    const double* in = g.data() + (w.first[static_cast<std::size_t>(i)] - piece.first);
+    double sum = 0;
+    for (int q = 0; q < w.width; ++q) sum += weights[q] * in[q];
+    out[i - piece.from] += factor * sum;
+  }
+  if (begin < end)
+    dispatch(w.width, [&](auto width) [[gnu::always_inline]] {
+      add_filtered<width>(factor, w.weights.data() + static_cast<std::ptrdiff_t>(begin) * width, end - begin,
+                          g.data() + (w.first[static_cast<std::size_t>(begin)] - piece.first),
+                          out + (begin - piece.from));
+    });
+}
+
+}  // namespace
+
+DifferenceRows::DifferenceRows(const Energy& energy, const SplineSpace& space)
+    : degree_(space.x.degree()), columns_(space.x.size()) {
+  int orders = 0;
+  for (const auto& t : energy.terms()) orders = std::max({orders, t.x_order + 1, t.y_order + 1});
+  for (int r = 0; r < orders; ++r) {
+    x_.push_back(direction(space.x, r));
+    y_.push_back(direction(space.y, r));
+  }
+  for (const auto& t : energy.terms()) {
+    const double scale =
+        lowered(space.x, t.x_order).inner_products(0).scale * lowered(space.y, t.y_order).inner_products(0).scale;
+    terms_.push_back({t.weight * space.cell_factor(t.x_order, t.y_order) * scale, t.x_order, t.y_order});
+  }
+  std::stable_sort(terms_.begin(), terms_.end(), [](const Term& a, const Term& b) { return a.y_order < b.y_order; });
+}
+
+void DifferenceRows::row(int j, const double* c, double* out) const {
+  std::array<Buffer, most_rows> rows;
+  Buffer combined, g;
+  std::fill_n(out, columns_, 0.);
+  const auto& band = x_.front().weights;  // takes in all that the others do
+  const auto first_row = static_cast<std::ptrdiff_t>(y_.front().weights.first[static_cast<std::size_t>(j)]);
+  for (int from = 0; from < columns_; from += piece_columns) {
+    Piece piece{from, std::min(from + piece_columns, columns_), band.first[static_cast<std::size_t>(from)], 0};
+    piece.inputs = band.first[static_cast<std::size_t>(piece.to - 1)] + band.width - piece.first;
+    int height = y_.front().weights.width, order = 0;
+    for (int q = 0; q < height; ++q)
+      std::copy_n(c + (first_row + q) * columns_ + piece.first, piece.inputs, rows[static_cast<std::size_t>(q)].data());
+    for (std::size_t t = 0; t < terms_.size(); ++t) {
+      const auto& term = terms_[t];
+      const auto& y = y_[static_cast<std::size_t>(term.y_order)];
+      for (; order < term.y_order; ++order)
+        difference_all(y.slopes[static_cast<std::size_t>(order)].data() + first_row, --height, piece.inputs, rows);
+      if (t == 0 || term.y_order != terms_[t - 1].y_order)
+        combine_rows(y.weights, j, piece.inputs, rows, combined.data());
+      std::copy_n(combined.data(), piece.inputs, g.data());
+      add_columns(x_[static_cast<std::size_t>(term.x_order)], term.factor, piece, g, out + piece.from);
+    }
+  }
+}
+
+}  // namespace batten

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/domains/rectangle.h>
+#include <batten/fem/conjugate_gradients.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace batten {
+
+/// A penalised least-squares problem on one grid, minimise Σ_i w_i (value_i - (B c)_i)² + λ c · E c, as
+/// cross-validation and the method of multipliers see it.
+class PenalisedProblem {
+public:
+  virtual ~PenalisedProblem() = default;
+
+  virtual const Rectangle& region() const = 0;
+  virtual std::size_t unknowns() const = 0;
+  virtual const std::vector<double>& value() const = 0;       ///< of each measurement, in the order of the grid
+  virtual const std::vector<double>& weight() const = 0;      ///< in the order of the grid
+  virtual const std::vector<std::size_t>& order() const = 0;  ///< index of each measurement as it was given
+  std::size_t size() const { return value().size(); }
+
+  /// A = λ E + B^T W B from now on.
+  virtual void set(double lambda) = 0;
+  /// As Multigrid::can_predict.
+  virtual bool can_predict() const = 0;
+  /// out = A c. Returns c · A c.
+  virtual double apply(std::span<const double> c, std::span<double> out) const = 0;
+  /// Solves A c = b from the start c; `scale` as of batten::solve.
+  virtual IterationResult solve(std::span<const double> b, std::span<double> c, const IterationLimits& limits,
+                                double scale) const = 0;
+  /// B^T (weights values)
+  virtual std::vector<double> right_side(std::span<const double> weights, std::span<const double> values) const = 0;
+  /// B c
+  virtual std::vector<double> values(std::span<const double> c) const = 0;
+  /// value - B c
+  std::vector<double> residuals(std::span<const double> c) const {
+    auto r = values(c);
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = value()[i] - r[i];
+    return r;
+  }
+  /// The same measurements on another grid of the region.
+  virtual std::unique_ptr<PenalisedProblem> on(const Rectangle& grid) const = 0;
+};
+
+}  // namespace batten

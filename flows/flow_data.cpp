@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
+#include <batten/flows/flow_data.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace batten {
+namespace {
+
+void check(const VectorObservations& o) {
+  const std::size_t n = o.size();
+  if (o.y.size() != n || o.u.size() != n || o.v.size() != n || (!o.weight.empty() && o.weight.size() != n))
+    throw InvalidInput("fit_flow: expected x, y, u, v and weight of one length, found " + std::to_string(n) + ", " +
+                       std::to_string(o.y.size()) + ", " + std::to_string(o.u.size()) + ", " +
+                       std::to_string(o.v.size()) + " and " + std::to_string(o.weight.size()));
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!std::isfinite(o.x[i]) || !std::isfinite(o.y[i]) || !std::isfinite(o.u[i]) || !std::isfinite(o.v[i]))
+      throw InvalidInput("fit_flow: expected finite numbers, found (" + number_text(o.x[i], 10) + ", " +
+                         number_text(o.y[i], 10) + ") with velocity (" + number_text(o.u[i], 10) + ", " +
+                         number_text(o.v[i], 10) + ") at observation " + std::to_string(i + 1));
+    if (!o.weight.empty() && !(o.weight[i] >= 0 && std::isfinite(o.weight[i])))
+      throw InvalidInput("fit_flow: expected weights that are not negative, found " + number_text(o.weight[i], 10) +
+                         " at observation " + std::to_string(i + 1));
+  }
+  if (!o.weight.empty() && std::all_of(o.weight.begin(), o.weight.end(), [](double w) { return w == 0; }))
+    throw InvalidInput("fit_flow: expected a weight that is not zero, found all " + std::to_string(n) + " zero");
+}
+
+/// Those inside the region with a weight; `source` are their indices.
+struct Chosen {
+  VectorObservations vectors;
+  std::vector<std::size_t> source;
+};
+
+/// A vector that joins another at the same place: mean, summed weight.
+void join(VectorObservations& o, std::size_t into, std::size_t from, const VectorObservations& all) {
+  const double w = all.weight.empty() ? 1 : all.weight[from], sum = o.weight[into] + w;
+  o.u[into] += w / sum * (all.u[from] - o.u[into]);
+  o.v[into] += w / sum * (all.v[from] - o.v[into]);
+  o.weight[into] = sum;
+}
+
+Chosen choose(const VectorObservations& o, const Rectangle& region, bool merge, FlowData& result) {
+  Chosen chosen;
+  auto& [x, y, u, v, weight] = chosen.vectors;
+  std::map<std::pair<double, double>, std::size_t> places;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    const bool inside = region.contains(o.x[i], o.y[i]);
+    const double w = o.weight.empty() ? 1 : o.weight[i];
+    if (!inside) ++result.outside;
+    if (!inside || w == 0) continue;
+    if (merge) {
+      const auto [place, is_new] = places.try_emplace({o.x[i], o.y[i]}, x.size());
+      if (!is_new) {
+        ++result.merged;
+        join(chosen.vectors, place->second, i, o);
+        continue;
+      }
+    }
+    x.push_back(o.x[i]);
+    y.push_back(o.y[i]);
+    u.push_back(o.u[i]);
+    v.push_back(o.v[i]);
+    weight.push_back(w);
+    chosen.source.push_back(i);
+  }
+  return chosen;
+}
+
+const char* name_of(FlowModel model) {
+  switch (model) {
+    case FlowModel::Smooth:
+      return "smooth";
+    case FlowModel::Slow:
+      return "slow";
+    case FlowModel::Irrotational:
+      return "irrotational";
+    default:
+      return "general";
+  }
+}
+
+/// A quadratic ψ or φ without velocity at all points has them on one line.
+void check_determined(const VectorObservations& o, const Rectangle& region, FlowModel model, std::size_t given) {
+  if (o.size() == 0)
+    throw InvalidInput("fit_flow: expected at least one point inside the region, found none of " +
+                       std::to_string(given) + " in x from " + number_text(region.x.lower(), 10) + " to " +
+                       number_text(region.x.upper(), 10) + ", y from " + number_text(region.y.lower(), 10) + " to " +
+                       number_text(region.y.upper(), 10));
+  if (energy_of(model).null_degree() < 2) return;
+  std::vector<double> s, t;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    s.push_back((o.x[i] - region.x.lower()) / region.x.length());
+    t.push_back((o.y[i] - region.y.lower()) / region.y.length());
+  }
+  if (flatness(s, t) < 1e-10)
+    throw InvalidInput(std::string("fit_flow: the model ") + name_of(model) +
+                       " needs three points that are not on one line, found " + std::to_string(o.size()) +
+                       (o.size() == 1 ? " point" : " points on one line") + " (the model slow needs one point)");
+}
+
+/// Two rows for each vector.
+FitData rows_of(const Chosen& chosen, FlowModel model) {
+  const auto& o = chosen.vectors;
+  const bool is_potential = model == FlowModel::Irrotational;
+  FitData rows;
+  rows.total_weight = 2 * std::accumulate(o.weight.begin(), o.weight.end(), 0.);
+  for (std::size_t i = 0; i < o.size(); ++i)
+    for (const bool second : {false, true}) {
+      rows.x.push_back(o.x[i]);
+      rows.y.push_back(o.y[i]);
+      rows.value.push_back(!second ? o.u[i] : is_potential ? o.v[i] : -o.v[i]);
+      rows.kind.push_back(second == is_potential ? Measured::SlopeY : Measured::SlopeX);
+      rows.weight.push_back(o.weight[i] / rows.total_weight);
+      rows.source.push_back(chosen.source[i]);
+    }
+  return rows;
+}
+
+/// The slopes of s, t, s², s t, t² that a row measures, and what it measures of φ = s² + t² where they are those of ψ.
+Eigen::Matrix<double, 6, 1> slopes(Measured kind, double s, double t) {
+  Eigen::Matrix<double, 6, 1> result;
+  if (kind == Measured::SlopeX)
+    result << 1, 0, 2 * s, t, 0, -2 * t;
+  else
+    result << 0, 1, 0, s, 2 * t, 2 * s;
+  return result;
+}
+
+/// Takes the weighted least-squares element of the null space off the rows and divides by their range.
+void normalise(const Rectangle& region, FlowModel model, FlowData& result) {
+  FitData& d = result.rows;
+  QuadraticFunction& q = result.null_element;
+  q.length = std::max(region.x.length(), region.y.length());
+  q.x0 = std::inner_product(d.x.begin(), d.x.end(), d.weight.begin(), 0.);
+  q.y0 = std::inner_product(d.y.begin(), d.y.end(), d.weight.begin(), 0.);
+  const auto [low, high] = std::minmax_element(d.value.begin(), d.value.end());
+  const double largest = std::max(std::abs(*low), std::abs(*high)), range = *high - *low;
+  const Eigen::Index used = model == FlowModel::Slow ? 2 : model == FlowModel::General ? 6 : 5;
+  std::array<double, 6> found{};
+  // Twice: the second pass fits what rounding left of the first.
+  for (int pass = 0; pass < 2; ++pass) {
+    Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(used, used);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(used);
+    const auto row = [&](std::size_t i) {
+      return Eigen::VectorXd(slopes(d.kind[i], (d.x[i] - q.x0) / q.length, (d.y[i] - q.y0) / q.length).head(used));
+    };
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      moments += d.weight[i] * row(i) * row(i).transpose();
+      right += d.weight[i] * d.value[i] * row(i);
+    }
+    const Eigen::VectorXd step = moments.completeOrthogonalDecomposition().solve(right);
+    for (Eigen::Index k = 0; k < used; ++k) found[static_cast<std::size_t>(k)] += step[k];
+    for (std::size_t i = 0; i < d.size(); ++i) d.value[i] -= row(i).dot(step);
+  }
+  std::copy_n(found.begin(), 5, q.c.begin() + 1);
+  result.null_potential = {{0, 0, 0, found[5], 0, found[5]}, q.x0, q.y0, q.length};
+  d.scale = range > 0 ? range : largest > 0 ? largest : 1;
+  double left = 0;
+  for (double& v : d.value) left = std::max(left, std::abs(v /= d.scale));
+  if (left <= 16 * std::numeric_limits<double>::epsilon() * largest / d.scale)
+    std::fill(d.value.begin(), d.value.end(), 0.);  // data of the null space leave nothing to fit
+}
+
+}  // namespace
+
+Energy energy_of(FlowModel model) {
+  return model == FlowModel::Slow ? Energy::thin_plate() : Energy::third_derivatives();
+}
+
+FlowData prepare_flow(const VectorObservations& o, const Rectangle& region, FlowModel model, bool merge_coincident) {
+  check(o);
+  FlowData result;
+  const Chosen chosen = choose(o, region, merge_coincident, result);
+  check_determined(chosen.vectors, region, model, o.size());
+  result.rows = rows_of(chosen, model);
+  normalise(region, model, result);
+  return result;
+}
+
+}  // namespace batten

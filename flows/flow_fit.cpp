@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
+#include <batten/fem/cross_validation.h>
+#include <batten/fem/difference_form.h>
+#include <batten/fem/near_interpolation.h>
+#include <batten/flows/coupled_problem.h>
+#include <batten/flows/flow_data.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <utility>
+
+namespace batten {
+namespace {
+
+Smoothing checked(const FlowOptions& options) {
+  if (options.degree < 3 || options.degree > 5)
+    throw InvalidInput("fit_flow: expected degree 3 to 5, found " + std::to_string(options.degree));
+  const Smoothing s = options.smoothing;
+  const bool is_general = options.model == FlowModel::General;
+  if (is_general && !(options.ratio > 0 && std::isfinite(options.ratio)))
+    throw InvalidInput("fit_flow: expected a positive ratio of energies, found " + number_text(options.ratio, 6));
+  if (is_general && s.kind == Smoothing::Kind::Tolerance)
+    throw InvalidInput("fit_flow: the model general knows no tolerance; smooth, slow and irrotational do");
+  if (s.kind == Smoothing::Kind::Fixed && !(s.value >= 0 && std::isfinite(s.value)))
+    throw InvalidInput("fit_flow: expected a smoothing that is not negative, found " + number_text(s.value, 6));
+  if (s.kind == Smoothing::Kind::Tolerance && !(s.value > 0 && std::isfinite(s.value)))
+    throw InvalidInput("fit_flow: expected a positive tolerance, found " + number_text(s.value, 6));
+  return s.kind == Smoothing::Kind::Fixed && s.value == 0 ? Smoothing::none() : s;
+}
+
+FitOptions scalar_options(const FlowOptions& options) {
+  FitOptions result;
+  result.energy = energy_of(options.model);
+  result.degree = options.degree;
+  result.limits = options.limits;
+  result.seed = options.seed;
+  result.progress = options.progress;
+  return result;
+}
+
+ScaledFit solve_automatic(PenalisedProblem& problem, const FitOptions& options, FlowResult& result) {
+  auto found = timed(result.seconds, "cross-validation", [&] { return cross_validate(problem, options); });
+  result.effective_degrees = found.effective_degrees;
+  result.no_interior_minimum = !found.interior;
+  result.search_iterations = static_cast<int>(std::ceil(found.work));
+  if (!found.interior)
+    result.notes.push_back("cross-validation: no interior minimum, lambda is the lower end " +
+                           number_text(found.lambda, 6) + " of its range (the data look exact)");
+  return timed(result.seconds, "solve",
+               [&] { return solve_fixed(problem, found.lambda, options, std::move(found.start)); });
+}
+
+/// The coupled system of General converges the slower the smaller λ is: more steps of multipliers cost less.
+constexpr double coupled_interpolation_lambda = 1e-8;
+
+ScaledFit solve_none(PenalisedProblem& problem, const FitOptions& options, FlowResult& result) {
+  const bool is_general = result.field.stream() && result.field.potential();
+  const double lambda = is_general ? coupled_interpolation_lambda : interpolation_lambda;
+  if (options.energy.order() < 3)
+    result.notes.push_back(
+        "model slow without smoothing: point velocities are not bounded by its energy, each point gets a spike that "
+        "grows with the logarithm of the cell size; consider the model smooth");
+  if (problem.size() <= problem.unknowns()) return interpolate(problem, options, lambda);
+  result.notes.push_back("no smoothing: " + std::to_string(problem.size()) + " components of velocities outnumber " +
+                         std::to_string(problem.unknowns()) + " coefficients, lambda = " + number_text(lambda, 6) +
+                         " is used");
+  return solve_fixed(problem, lambda, options);
+}
+
+ScaledFit solve_for(const Smoothing& smoothing, PenalisedProblem& problem, double unit, const FitOptions& options,
+                    FlowResult& result) {
+  const auto solved = [&](auto&& work) { return timed(result.seconds, "solve", work); };
+  switch (smoothing.kind) {
+    case Smoothing::Kind::Automatic:
+      return solve_automatic(problem, options, result);
+    case Smoothing::Kind::Fixed:
+      return solved([&] { return solve_fixed(problem, smoothing.value, options); });
+    case Smoothing::Kind::None:
+      return solved([&] { return solve_none(problem, options, result); });
+    default:  // not of General
+      return solved([&] {
+        const std::vector<double> tolerances(problem.size(), smoothing.value / unit);
+        return interpolate_within(dynamic_cast<FitProblem&>(problem), tolerances, options);
+      });
+  }
+}
+
+Solution with_zero_mean(const Rectangle& region, int degree, std::vector<double> c) {
+  const double mean = mean_value(Solution(region, degree, c));
+  for (double& v : c) v -= mean;
+  return Solution(region, degree, std::move(c));
+}
+
+/// The spline of scaled coefficients and a null element in the units of the observations.
+Solution in_units(std::span<const double> scaled, double scale, const QuadraticFunction& null_element,
+                  const SplineSpace& space, const Rectangle& region) {
+  std::vector<double> c(scaled.begin(), scaled.end());
+  for (double& v : c) v *= scale;
+  null_element.add_to(space, c);
+  for (double& v : c) v *= null_element.length;
+  return with_zero_mean(region, space.x.degree(), std::move(c));
+}
+
+/// The same field, where φ is orthogonal to the gradients of harmonic quadratics: those are rotations as well.
+FlowField given_to_stream(const FlowField& field, const SplineSpace& space, const QuadraticFunction& frame) {
+  const auto& pairs = harmonic_pairs;
+  const auto spline = [&](const std::array<double, 6>& c) {
+    std::vector<double> coefficients(space.size());
+    QuadraticFunction{c, frame.x0, frame.y0, frame.length}.add_to(space, coefficients);
+    return Solution(field.region(), field.degree(), std::move(coefficients));
+  };
+  Eigen::Matrix4d gram;
+  Eigen::Vector4d right;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const FlowField one({}, spline(pairs[i].phi));
+    right[static_cast<Eigen::Index>(i)] = inner_product(one, FlowField({}, field.potential()));
+    for (std::size_t j = 0; j < 4; ++j)
+      gram(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          inner_product(one, FlowField({}, spline(pairs[j].phi)));
+  }
+  const Eigen::Vector4d amount = gram.ldlt().solve(right);
+  const auto moved = [&](const Solution& p, double sign, std::array<double, 6> HarmonicPair::*part) {
+    std::vector<double> c(p.coefficients().begin(), p.coefficients().end());
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Solution more = spline(pairs[i].*part);
+      for (std::size_t k = 0; k < c.size(); ++k)
+        c[k] += sign * amount[static_cast<Eigen::Index>(i)] * more.coefficients()[k];
+    }
+    return with_zero_mean(field.region(), field.degree(), std::move(c));
+  };
+  return FlowField(moved(*field.stream(), 1, &HarmonicPair::psi), moved(*field.potential(), -1, &HarmonicPair::phi));
+}
+
+FlowField field_of(const FlowOptions& options, const ScaledFit& fit, const FlowData& data, const SplineSpace& space,
+                   const Rectangle& region) {
+  const std::span<const double> c = fit.coefficients;
+  const double scale = data.rows.scale;
+  Solution part = in_units(c.first(space.size()), scale, data.null_element, space, region);
+  if (options.model == FlowModel::Irrotational) return FlowField({}, std::move(part));
+  if (options.model != FlowModel::General) return FlowField(std::move(part));
+  return given_to_stream(
+      FlowField(std::move(part), in_units(c.last(space.size()), scale, data.null_potential, space, region)), space,
+      data.null_element);
+}
+
+/// Largest |u_x + v_y| over largest |∇v| by central differences.
+double divergence_share(const FlowField& field, std::uint64_t seed) {
+  constexpr int points = 2000;
+  constexpr double part_of_cell = 1e-3;
+  const auto &ix = field.region().x, &iy = field.region().y;
+  const double dx = part_of_cell * ix.finest_cell_length(), dy = part_of_cell * iy.finest_cell_length();
+  std::mt19937_64 random(seed);
+  const auto within = [&](const Interval& interval, double margin) {
+    const double share = static_cast<double>(random() >> 11) * 0x1p-53;
+    return interval.lower() + margin + share * (interval.length() - 2 * margin);
+  };
+  double divergence = 0, gradient = 0;
+  for (int k = 0; k < points; ++k) {
+    const double x = within(ix, dx), y = within(iy, dy);
+    const auto left = field.velocity(x - dx, y), right = field.velocity(x + dx, y);
+    const auto low = field.velocity(x, y - dy), high = field.velocity(x, y + dy);
+    const double u_x = (right.u - left.u) / (2 * dx), v_x = (right.v - left.v) / (2 * dx);
+    const double u_y = (high.u - low.u) / (2 * dy), v_y = (high.v - low.v) / (2 * dy);
+    divergence = std::max(divergence, std::abs(u_x + v_y));
+    gradient = std::max(gradient, std::sqrt(u_x * u_x + v_x * v_x + u_y * u_y + v_y * v_y));
+  }
+  return gradient > 0 ? divergence / gradient : 0;
+}
+
+/// Residuals and fitted velocities in the units of the observations.
+void measure(const VectorObservations& o, FlowResult& result) {
+  const auto count = static_cast<std::ptrdiff_t>(o.size());
+  result.fitted_u.resize(o.size());
+  result.fitted_v.resize(o.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto at = result.field.velocity(o.x[k], o.y[k]);
+    result.fitted_u[k] = at.u;
+    result.fitted_v[k] = at.v;
+  }
+  double square = 0, total = 0;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    const double w = o.weight.empty() ? 1 : o.weight[i];
+    if (std::isnan(result.fitted_u[i]) || w == 0) continue;
+    const double r = std::hypot(result.fitted_u[i] - o.u[i], result.fitted_v[i] - o.v[i]);
+    square += w * r * r;
+    total += w;
+    if (r > result.largest_residual) {
+      result.largest_residual = r;
+      result.worst_point = i;
+    }
+  }
+  result.rms_residual = std::sqrt(square / total);
+}
+
+/// Whether u and v of all observations that were fitted are within the tolerance.
+bool within(const VectorObservations& o, double tolerance, const FlowResult& result) {
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    if (std::isnan(result.fitted_u[i]) || (!o.weight.empty() && o.weight[i] == 0)) continue;
+    if (std::max(std::abs(result.fitted_u[i] - o.u[i]), std::abs(result.fitted_v[i] - o.v[i])) > tolerance)
+      return false;
+  }
+  return true;
+}
+
+std::unique_ptr<PenalisedProblem> make_problem(const FitData& rows, const Rectangle& region,
+                                               const FlowOptions& options) {
+  if (options.model == FlowModel::General)
+    return std::make_unique<CoupledProblem>(rows, region, scalar_options(options), options.ratio);
+  return std::make_unique<FitProblem>(rows, region, scalar_options(options));
+}
+
+/// Of the scaled coefficients, which differ from the splines by what has no energy.
+void measure_energy(const FlowOptions& options, const ScaledFit& fit, double scale, const SplineSpace& space,
+                    FlowResult& result) {
+  const auto energy = [&](std::span<const double> c) {
+    return scale * scale * evaluate_energy(energy_of(options.model), space, c);
+  };
+  const std::span<const double> c = fit.coefficients;
+  result.energy = energy(c.first(space.size()));
+  if (options.model == FlowModel::Irrotational) result.potential_energy = result.energy;
+  if (options.model != FlowModel::General) return;
+  result.potential_energy = options.ratio * energy(c.last(space.size()));
+  result.energy += result.potential_energy;
+}
+
+}  // namespace
+
+FlowResult fit_flow(const VectorObservations& observations, const Rectangle& region, const FlowOptions& options) {
+  const Smoothing smoothing = checked(options);
+  std::vector<PhaseTime> seconds;
+  const FlowData data = timed(seconds, "prepare", [&] {
+    return prepare_flow(observations, region, options.model, smoothing.kind == Smoothing::Kind::None);
+  });
+  const auto problem = timed(seconds, "set up", [&] { return make_problem(data.rows, region, options); });
+  const SplineSpace space = finest_space(region, options.degree);
+
+  FlowResult result{.field = field_of(options, {std::vector<double>(problem->unknowns())}, data, space, region)};
+  result.seconds = std::move(seconds);
+  const ScaledFit fit = solve_for(smoothing, *problem, data.rows.scale, scalar_options(options), result);
+  result.points_outside = data.outside;
+  result.points_merged = data.merged;
+  result.points_used = data.rows.size() / 2 + data.merged;
+  if (data.merged > 0)
+    result.notes.push_back(std::to_string(data.merged) + " observations were averaged into coincident ones");
+  result.field = field_of(options, fit, data, space, region);
+  timed(result.seconds, "measure", [&] {
+    measure(observations, result);
+    result.largest_divergence = divergence_share(result.field, options.seed);
+    measure_energy(options, fit, data.rows.scale, space, result);
+  });
+  result.lambda = fit.lambda;
+  result.iterations = fit.iterations;
+  result.accuracy = fit.accuracy;
+  if (fit.accuracy > 1e3 * options.limits.accuracy)
+    result.notes.push_back("the solver stopped after " + std::to_string(fit.iterations) +
+                           " iterations at an estimated relative error of " + number_text(fit.accuracy, 2) +
+                           " in the energy norm");
+  if (smoothing.kind == Smoothing::Kind::Tolerance)
+    result.tolerance_reached = within(observations, smoothing.value, result);
+  return result;
+}
+
+}  // namespace batten
