@@ -59,10 +59,12 @@ NaturalCubic smoothing_curve(std::vector<double> knots, const Eigen::MatrixXd& p
   NaturalCubic::require_sizes(knots, points, closed);
   const double largest = largest_weight(weights, points.rows());
   if (lambda == 0) return interpolating_curve(std::move(knots), points, closed);
-  SmoothingProblem problem{knots, points, weights, lambda, closed};
+  const double per_cell = static_cast<double>(knots.size() - 1) / (knots.back() - knots.front());
+  const double per_weight = 1 / std::max(largest, 1e-300);
   // Beyond the limit λ changes the straight line of the limit by less than rounding.
-  const double limit = 1e18 * largest * std::pow(static_cast<double>(points.rows()), 4);
-  problem.lambda = std::clamp(lambda * std::pow(problem.per_unit(), 3), 1e-100 * largest, limit);
+  const double limit = 1e18 * std::pow(static_cast<double>(points.rows()), 4);
+  const double stiffness = std::clamp(lambda * per_weight * std::pow(per_cell, 3), 1e-100, limit);
+  const SmoothingProblem problem{knots, points, weights, per_cell / std::cbrt(stiffness), per_weight, closed};
   FoundCoefficients found = smoothing_coefficients(problem);
   return checked_curve(std::move(knots), points, closed, std::move(found));
 }

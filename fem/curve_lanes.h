@@ -41,6 +41,7 @@ private:
   int rows_, count_;
 };
 
+constexpr int lane_chunk = 8;  // steps that are read or written at once, a cache line of each lane
 constexpr int lane_tile = 64;  // steps of all lanes that stay in the first cache
 
 // Of up to a tile:

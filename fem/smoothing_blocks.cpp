@@ -6,6 +6,17 @@
 namespace batten {
 namespace {
 
+/// numbers[row] .. numbers[end - 1], then `beyond`; in the buffer where there is not enough of them.
+const double* padded(const double* numbers, int row, int end, double beyond, int count, double* buffer) {
+  const int inside = std::clamp(end - row, 0, count);
+  if (inside == count) return numbers + row;
+  std::copy(numbers + row, numbers + row + inside, buffer);
+  std::fill(buffer + inside, buffer + count, beyond);
+  return buffer;
+}
+
+int whole_chunks(int steps) { return steps - steps % lane_chunk; }
+
 class Smoothing {
 public:
   explicit Smoothing(const SmoothingProblem& problem)
@@ -14,7 +25,7 @@ public:
         rows_(problem.rows()),
         d_(static_cast<int>(problem.points.cols())),
         cells_(static_cast<int>(problem.knots.size()) - 1),
-        per_unit_(problem.per_unit()) {}
+        steps_(whole_chunks(blocks_.longest() + lane_chunk - 1)) {}
 
   FoundCoefficients coefficients() const {
     std::vector<BlockElement> elements(static_cast<std::size_t>(blocks_.count()));
@@ -28,7 +39,7 @@ public:
                                      });
     const BlockEnds ends = joined_blocks(elements, b, kappa, problem_.closed);
     FoundCoefficients found = {Eigen::MatrixXd(rows_, d_), increase};
-    const auto whole_blocks = [&] { return SmoothingSteps(blocks_.longest(), true); };
+    const auto whole_blocks = [&] { return SmoothingSteps(steps_, true); };
     const bool are_finite = for_groups(whole_blocks, [&](SmoothingSteps& steps, const Group& group) {
       bool result = true;
       for (int column = 0; column < d_; column += most_together)
@@ -46,6 +57,8 @@ private:
   struct Group {
     int begin() const { return starts[0]; }
     int end() const { return ends[lanes - 1]; }
+    /// What all lanes have, in whole chunks.
+    int shared() const { return whole_chunks(*std::min_element(lengths, lengths + lane_count)); }
 
     int first, lanes;
     int starts[lane_count], ends[lane_count], lengths[lane_count];
@@ -76,64 +89,52 @@ private:
 
   int together(int column) const { return std::min(most_together, d_ - column); }
 
-  /// Of the cell behind a row; none behind the last one of an open curve.
-  double width(int row) const {
-    if (row < 0) row = problem_.closed ? rows_ - 1 : cells_;
-    if (row >= cells_) return 0;
-    const auto k = static_cast<std::size_t>(row);
-    return (problem_.knots[k + 1] - problem_.knots[k]) * per_unit_;
+  /// Of the cell before a row; none before the first one of an open curve.
+  double width_before(int row) const {
+    if (row == rows_ || (row == 0 && !problem_.closed)) return 0;
+    const auto k = static_cast<std::size_t>(row > 0 ? row : rows_);
+    return (problem_.knots[k] - problem_.knots[k - 1]) * problem_.per_unit;
   }
 
-  /// The tile of steps from this one on of each block, to place `to`: how many they are.
-  int read_tile(SmoothingSteps& steps, const Group& group, int column, int from, int to) const {
-    const int count = std::min(lane_tile, blocks_.longest() - from);
-    int at[lane_count], before[lane_count], ends[lane_count];
+  /// The lines of a tile, and those of them that end in it.
+  struct Tile {
+    StepLines lines;
+    double knots[lane_count][lane_tile + 1], weights[lane_count][lane_tile];
+    double points[most_together][lane_count][lane_tile];
+  };
+
+  /// Steps from this one on of each block.
+  void look_up(const Group& group, int column, int from, Tile& tile) const {
+    StepLines& lines = tile.lines;
+    lines.components = together(column);
+    lines.count = std::min(lane_tile, steps_ - from);
+    lines.equal = problem_.weights.empty() ? std::clamp(group.shared() - from, 0, lines.count) : 0;
+    lines.per_unit = problem_.per_unit;
+    lines.per_weight = problem_.per_weight;
     for (int l = 0; l < lane_count; ++l) {
-      at[l] = group.starts[l] + from;
-      before[l] = at[l] - 1;
-      ends[l] = std::min(group.ends[l], cells_);
+      const int row = group.starts[l] + from, end = group.ends[l], knots = std::min(end, cells_) + 1;
+      const double last = problem_.knots[static_cast<std::size_t>(knots) - 1];
+      lines.knots[l] = padded(problem_.knots.data(), row, knots, last, lines.count + 1, tile.knots[l]);
+      for (int c = 0; c < lines.components; ++c) {
+        const double* const points = problem_.points.col(column + c).data();
+        lines.points[c][l] = padded(points, row, end, 0, lines.count, tile.points[c][l]);
+      }
+      if (lines.equal < lines.count) lines.weights[l] = weights(row, end, lines.count, tile.weights[l]);
     }
-    gather_widths(problem_.knots.data(), per_unit_, before, ends, count + 1, steps.widths.data() + to,
-                  [&](int l, int row) { return row < group.ends[l] ? width(row) : 0; });
-    read_softness(group, from, count, steps.softness.data() + to);
-    for (int c = 0; c < together(column); ++c) {
-      const double* const points = problem_.points.col(column + c).data();
-      gather_lanes(at, count, steps.points[c].data() + to, [&](int l, int row, int n, double* buffer) {
-        return padded(points, row, group.ends[l], n, buffer);
-      });
-    }
-    return count;
   }
 
-  void read_softness(const Group& group, int from, int count, LaneStep* softness) const {
-    if (problem_.weights.empty()) {
-      fill_lanes(softness, count, problem_.lambda);
-      for (int l = 0; l < lane_count; ++l)
-        for (int k = std::max(group.lengths[l] - from, 0); k < count; ++k) softness[k].value[l] = most_soft;
-      return;
-    }
-    int at[lane_count];
-    for (int l = 0; l < lane_count; ++l) at[l] = group.starts[l] + from;
-    gather_lanes(at, count, softness, [&](int l, int row, int n, double* buffer) {
-      return padded(problem_.weights.data(), row, group.ends[l], n, buffer);
-    });
-    soften(softness, count, problem_.lambda);
-  }
-
-  /// numbers[row] .. numbers[end - 1], then 0.
-  static const double* padded(const double* numbers, int row, int end, int n, double* buffer) {
-    const int inside = std::clamp(end - row, 0, n);
-    if (inside == n) return numbers + row;
-    std::copy(numbers + row, numbers + row + inside, buffer);
-    std::fill(buffer + inside, buffer + n, 0.);
+  const double* weights(int row, int end, int count, double* buffer) const {
+    if (!problem_.weights.empty()) return padded(problem_.weights.data(), row, end, 0, count, buffer);
+    for (int k = 0; k < count; ++k) buffer[k] = row + k < end ? 1 : 0;
     return buffer;
   }
 
   LaneElement described(SmoothingSteps& steps, const Group& group, int column) const {
     LaneElement element;
-    for (int from = 0; from < blocks_.longest(); from += lane_tile) {
-      const int count = read_tile(steps, group, column, from, 0);
-      describe(steps, count, together(column), element);
+    Tile tile;
+    for (int from = 0; from < steps_; from += lane_tile) {
+      look_up(group, column, from, tile);
+      describe(tile.lines, steps, element);
     }
     return element;
   }
@@ -166,18 +167,26 @@ private:
         costates[c].value[l] = ends.costates(0, k);
         costates[c].slope[l] = ends.costates(1, k);
       }
-    for (int from = 0; from < blocks_.longest(); from += lane_tile) {
-      const int count = read_tile(steps, group, column, from, from);
-      sweep_forwards(steps, from, from + count, together(column), filter);
+    for (int l = 0; l < lane_count; ++l) steps.widths[0].value[l] = width_before(group.starts[l]);
+    Tile tile;
+    for (int from = 0; from < steps_; from += lane_tile) {
+      look_up(group, column, from, tile);
+      sweep_forwards(tile.lines, from, steps, filter);
     }
     Lanes values[most_together];  // at the ends, x = m + P y
     for (int c = 0; c < together(column); ++c)
       values[c] = filter.means[c].value + filter.p.u * costates[c].value + filter.p.v * costates[c].slope;
-    sweep_back(steps, blocks_.longest(), together(column), costates, values);
+    const int shared = group.shared();
+    CoefficientLines lines = {together(column), steps_, problem_.weights.empty() ? shared : 0, shared, {}};
+    for (int c = 0; c < together(column); ++c)
+      for (int l = 0; l < lane_count; ++l) lines.coefficients[c][l] = result.col(column + c).data() + group.starts[l];
+    sweep_back(costates, values, steps, lines);
     bool are_finite = true;
     for (int c = 0; c < together(column); ++c) {
       double* const coefficients = result.col(column + c).data();
-      scatter_lanes(group.starts, group.lengths, 0, steps.points[c], coefficients);
+      for (int l = 0; l < lane_count; ++l)
+        for (int k = shared; k < group.lengths[l]; ++k)
+          lines.coefficients[c][l][k] = steps.points[c][static_cast<std::size_t>(k)].value[l];
       if (!problem_.closed && group.begin() == 0) coefficients[0] = ends.states(0, column + c);
       if (!problem_.closed && group.end() == rows_) coefficients[rows_ - 1] = values[c][group.lanes - 1];
       are_finite = is_finite(coefficients + group.begin(), group.end() - group.begin()) && are_finite;
@@ -188,7 +197,7 @@ private:
   const SmoothingProblem& problem_;
   LaneBlocks blocks_;
   int rows_, d_, cells_;
-  double per_unit_;
+  int steps_;  // of the longest block, in whole chunks
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/fem/lane_squares.h>
 #include <batten/fem/smoothing_kernels.h>
 
 // Kernels are compiled for the instruction sets of the x86-64 levels and chosen at start; other processors get the
@@ -9,7 +10,7 @@ namespace batten {
 SmoothingSteps::SmoothingSteps(int count, bool has_sweep_back) {
   const auto n = static_cast<std::size_t>(count);
   widths.resize(n + 1);
-  for (LaneSteps* s : {&softness, &points[0], &points[1]}) s->resize(n);
+  for (LaneSteps* s : {&weights, &points[0], &points[1]}) s->resize(n);
   if (has_sweep_back)
     for (LaneSteps* s : {&gain, &slope_gain, &pulls[0], &pulls[1]}) s->resize(n);
 }
@@ -20,98 +21,172 @@ namespace {
 
 constexpr double third = 1. / 3;  // divisions take longer than all else
 
-/// Of the filter at a point, from the covariance before it.
-struct Gains {
-  Lanes inverse, rest, value, slope;  // 1 / S, λ / w / S, P_00 / S, P_10 / S
+/// The weight of a step in each lane; of steps.
+struct One {
+  [[gnu::always_inline]] Lanes times(Lanes x) const { return x; }
+};
+struct Weight {
+  Lanes w;
+  [[gnu::always_inline]] Lanes times(Lanes x) const { return w * x; }
+};
+struct Equal {
+  [[gnu::always_inline]] One at(std::size_t) const { return {}; }
+};
+struct Weighted {
+  const LaneStep* weights;
+  [[gnu::always_inline]] Weight at(std::size_t k) const { return {weights[k].value}; }
 };
 
-[[gnu::always_inline]] inline Gains gains_at(const LaneCovariance& p, Lanes softness) {
-  const Lanes inverse = 1 / (p.u + softness);
-  return {inverse, softness * inverse, p.u * inverse, p.v * inverse};
-}
-
-/// Updated, P is (λ / w P + det P e_1 e_1^T) / S; then A P A^T + q. The next step waits for one division and one
-/// product alone, as numerators are found meanwhile.
-[[gnu::always_inline]] inline void advance(LaneCovariance& p, Lanes inverse, Lanes softness, Lanes h) {
-  const Lanes hh = h * h, cube = hh * h * third, hz = h * p.z;
-  const Lanes u = softness * (p.u + h * (2 * p.v + hz)) + hh * p.det;
-  const Lanes v = softness * (p.v + hz) + h * p.det;
-  const Lanes z = softness * p.z + p.det;
-  const Lanes det = softness * (p.det + h * (p.u + h * (p.v + hz * third))) + cube * p.det;
+/// Updated, P is (P + w det P e_1 e_1^T) / S; then A P A^T + q. The next step waits for one division and one product
+/// alone, as numerators are found meanwhile. `force` is w det P.
+[[gnu::always_inline]] inline void advance(LaneCovariance& p, Lanes inverse, Lanes force, Lanes h) {
+  const Lanes hh = h * h, hh_third = hh * third, cube = hh_third * h, z = p.z + force;
+  const Lanes u = p.u + (h + h) * p.v + hh * z, v = p.v + h * z;
+  const Lanes det = p.det + cube * force + h * (p.u + h * p.v + hh_third * p.z);
   p = {u * inverse + cube, v * inverse + hh * 0.5, z * inverse + h, det * inverse + hh * hh * (third / 4)};
 }
 
-[[gnu::always_inline]] inline void advance(LaneState& mean, const Gains& gains, Lanes miss, Lanes h) {
-  mean.slope += gains.slope * miss;
-  mean.value += gains.value * miss + h * mean.slope;
+/// From P before the point and the pull w (b - m_0) / S.
+[[gnu::always_inline]] inline void advance(LaneState& mean, const LaneCovariance& p, Lanes pull, Lanes h) {
+  mean.slope += p.v * pull;
+  mean.value = mean.value + p.u * pull + h * mean.slope;
 }
 
-/// A and J; f and s are the first row of A over S.
-[[gnu::always_inline]] inline void advance(LaneElement& e, const Gains& gains, Lanes f, Lanes s, Lanes h) {
-  e.j_uu += e.a[0] * f;
-  e.j_us += e.a[0] * s;
-  e.j_ss += e.a[1] * s;
-  e.a[2] -= gains.slope * e.a[0];
-  e.a[3] -= gains.slope * e.a[1];
-  e.a[0] = gains.rest * e.a[0] + h * e.a[2];
-  e.a[1] = gains.rest * e.a[1] + h * e.a[3];
+/// The chunk of lines at `from` as steps from `to` on.
+template <int components>
+[[gnu::always_inline]] inline void gather(const StepLines& lines, int from, int to, SmoothingSteps& steps) {
+  gather_difference_chunk(lines.knots, from, lines.per_unit, steps.widths.data() + to + 1);
+  for (int c = 0; c < components; ++c) gather_chunk(lines.points[c], from, steps.points[c].data() + to);
+  if (from < lines.equal) return;
+  LaneStep* const weights = steps.weights.data() + to;
+  gather_chunk(lines.weights, from, weights);
+  for (int k = 0; k < lane_chunk; ++k) weights[k].value *= lines.per_weight;
+}
+
+template <int components, class Weights>
+[[gnu::always_inline]] inline void describe_chunk(const SmoothingSteps& steps, int begin, Weights weights,
+                                                  LaneElement& e) {
+  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(begin + lane_chunk); ++k) {
+    const LaneCovariance p = e.c;
+    const auto w = weights.at(k);
+    const Lanes h = steps.widths[k + 1].value, inverse = 1 / (1 + w.times(p.u));
+    advance(e.c, inverse, w.times(p.det), h);
+    const Lanes u = e.a[0] * inverse, s = e.a[1] * inverse;  // the first row of A, updated
+    const Lanes wu = w.times(u), ws = w.times(s), per_miss = w.times(inverse);
+    for (int c = 0; c < components; ++c) {
+      const Lanes pull = per_miss * (steps.points[c][k].value - e.b[c].value);
+      e.kappa[c].value += e.a[0] * pull;
+      e.kappa[c].slope += e.a[1] * pull;
+      advance(e.b[c], p, pull, h);
+    }
+    e.j_uu += e.a[0] * wu;
+    e.j_us += e.a[0] * ws;
+    e.j_ss += e.a[1] * ws;
+    e.a[2] -= p.v * wu;
+    e.a[3] -= p.v * ws;
+    e.a[0] = u + h * e.a[2];
+    e.a[1] = s + h * e.a[3];
+  }
 }
 
 template <int components>
-[[gnu::always_inline]] inline void describe_steps(const SmoothingSteps& steps, int count, LaneElement& element) {
+[[gnu::always_inline]] inline void describe_lines(const StepLines& lines, SmoothingSteps& steps, LaneElement& element) {
   LaneElement e = element;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-    const Lanes h = steps.widths[k + 1].value, softness = steps.softness[k].value;
-    const Gains gains = gains_at(e.c, softness);
-    const Lanes f = e.a[0] * gains.inverse, s = e.a[1] * gains.inverse;
-    for (int c = 0; c < components; ++c) {
-      const Lanes miss = steps.points[c][k].value - e.b[c].value;
-      e.kappa[c].value += f * miss;
-      e.kappa[c].slope += s * miss;
-      advance(e.b[c], gains, miss, h);
-    }
-    advance(e, gains, f, s, h);
-    advance(e.c, gains.inverse, softness, h);
+  int k = 0;
+  for (; k < lines.equal; k += lane_chunk) {
+    gather<components>(lines, k, k, steps);
+    describe_chunk<components>(steps, k, Equal{}, e);
+  }
+  for (; k < lines.count; k += lane_chunk) {
+    gather<components>(lines, k, k, steps);
+    describe_chunk<components>(steps, k, Weighted{steps.weights.data()}, e);
   }
   element = e;
 }
 
-template <int components>
-[[gnu::always_inline]] inline void filter_steps(SmoothingSteps& steps, int begin, int end, LaneFilter& filter) {
-  LaneFilter f = filter;
-  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-    const Lanes h = steps.widths[k + 1].value, softness = steps.softness[k].value;
-    const Gains gains = gains_at(f.p, softness);
-    steps.gain[k].value = gains.value;
-    steps.slope_gain[k].value = gains.slope;
+template <int components, class Weights>
+[[gnu::always_inline]] inline void filter_chunk(SmoothingSteps& steps, int begin, Weights weights, LaneFilter& f) {
+  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(begin + lane_chunk); ++k) {
+    const LaneCovariance p = f.p;
+    const auto w = weights.at(k);
+    const Lanes h = steps.widths[k + 1].value, inverse = 1 / (1 + w.times(p.u)), per_miss = w.times(inverse);
+    advance(f.p, inverse, w.times(p.det), h);
+    steps.gain[k].value = p.u * inverse;
+    steps.slope_gain[k].value = p.v * inverse;
     for (int c = 0; c < components; ++c) {
-      const Lanes miss = steps.points[c][k].value - f.means[c].value;
-      steps.pulls[c][k].value = gains.inverse * miss;
-      advance(f.means[c], gains, miss, h);
+      const Lanes pull = per_miss * (steps.points[c][k].value - f.means[c].value);
+      steps.pulls[c][k].value = pull;
+      steps.points[c][k].value = f.means[c].value + p.u * pull;
+      advance(f.means[c], p, pull, h);
     }
-    advance(f.p, gains.inverse, softness, h);
+  }
+}
+
+template <int components>
+[[gnu::always_inline]] inline void filter_lines(const StepLines& lines, int from, SmoothingSteps& steps,
+                                                LaneFilter& filter) {
+  LaneFilter f = filter;
+  int k = 0;
+  for (; k < lines.equal; k += lane_chunk) {
+    gather<components>(lines, k, from + k, steps);
+    filter_chunk<components>(steps, from + k, Equal{}, f);
+  }
+  for (; k < lines.count; k += lane_chunk) {
+    gather<components>(lines, k, from + k, steps);
+    filter_chunk<components>(steps, from + k, Weighted{steps.weights.data()}, f);
   }
   filter = f;
 }
 
+/// Costates and values behind the steps that are left.
 template <int components>
-[[gnu::always_inline]] inline void fill_in_steps(SmoothingSteps& steps, int count, const LaneState* costates,
-                                                 const Lanes* values) {
+struct Behind {
   LaneState y[components];
   Lanes next[components];
-  for (int c = 0; c < components; ++c) y[c] = costates[c], next[c] = values[c];
-  for (auto k = static_cast<std::size_t>(count); k-- > 0;) {
+};
+
+template <int components, class Weights>
+[[gnu::always_inline]] inline void fill_in_chunk(SmoothingSteps& steps, int begin, Weights weights,
+                                                 Behind<components>& behind) {
+  for (auto k = static_cast<std::size_t>(begin + lane_chunk); k-- > static_cast<std::size_t>(begin);) {
+    const auto w = weights.at(k);
     const Lanes before = steps.widths[k].value, after = steps.widths[k + 1].value, per_after = 1 / after;
     const Lanes gain = steps.gain[k].value, slope_gain = steps.slope_gain[k].value;
     for (int c = 0; c < components; ++c) {
-      const Lanes bend = y[c].slope + after * y[c].value, bend_next = y[c].slope;
-      const Lanes force = slope_gain * bend + (gain * y[c].value - steps.pulls[c][k].value);
-      const Lanes value = steps.points[c][k].value + steps.softness[k].value * force;
-      const Lanes slope = (next[c] - value) * per_after - after * (2 * bend + bend_next) * (third / 2);
+      LaneState& y = behind.y[c];
+      const Lanes bend = y.slope + after * y.value, bend_next = y.slope;
+      const Lanes change = slope_gain * bend + gain * y.value;
+      const Lanes value = steps.points[c][k].value + change;
+      const Lanes slope = (behind.next[c] - value) * per_after - after * (2 * bend + bend_next) * (third / 2);
+      y = {y.value + steps.pulls[c][k].value - w.times(change), bend};
       steps.points[c][k].value = value + slope * (after - before) * third - bend * before * after * (third / 2);
-      y[c] = {y[c].value - force, bend};
-      next[c] = value;
+      behind.next[c] = value;
     }
+  }
+}
+
+template <int components>
+[[gnu::always_inline]] inline void scatter(const SmoothingSteps& steps, int k, const CoefficientLines& lines) {
+  if (k >= lines.shared) return;
+  for (int c = 0; c < components; ++c)
+    scatter_chunk(steps.points[c].data() + k, lines.coefficients[c], k, -lane_foresight);
+}
+
+template <int components>
+[[gnu::always_inline]] inline void fill_in_lines(const LaneState* costates, const Lanes* values, SmoothingSteps& steps,
+                                                 const CoefficientLines& lines) {
+  Behind<components> behind;
+  for (int c = 0; c < components; ++c) behind.y[c] = costates[c], behind.next[c] = values[c];
+  int k = lines.count;
+  while (k > lines.equal) {
+    k -= lane_chunk;
+    fill_in_chunk(steps, k, Weighted{steps.weights.data()}, behind);
+    scatter<components>(steps, k, lines);
+  }
+  while (k > 0) {
+    k -= lane_chunk;
+    fill_in_chunk(steps, k, Equal{}, behind);
+    scatter<components>(steps, k, lines);
   }
 }
 
@@ -120,40 +195,23 @@ template <int components>
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void fill_lanes(LaneStep* steps, int count, double number) {
-  for (int k = 0; k < count; ++k) steps[k].value = Lanes{} + number;
+void describe(const StepLines& lines, SmoothingSteps& steps, LaneElement& element) {
+  lines.components == 1 ? describe_lines<1>(lines, steps, element) : describe_lines<2>(lines, steps, element);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void soften(LaneStep* weights, int count, double lambda) {
-  auto* const numbers = reinterpret_cast<double*>(weights);
-  for (int k = 0; k < count * lane_count; ++k) {
-    const double softness = lambda / numbers[k], firm = softness > 1e-100 ? softness : 1e-100;
-    numbers[k] = firm < most_soft ? firm : most_soft;
-  }
+void sweep_forwards(const StepLines& lines, int from, SmoothingSteps& steps, LaneFilter& filter) {
+  lines.components == 1 ? filter_lines<1>(lines, from, steps, filter) : filter_lines<2>(lines, from, steps, filter);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void describe(const SmoothingSteps& steps, int count, int components, LaneElement& element) {
-  components == 1 ? describe_steps<1>(steps, count, element) : describe_steps<2>(steps, count, element);
-}
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#endif
-void sweep_forwards(SmoothingSteps& steps, int begin, int end, int components, LaneFilter& filter) {
-  components == 1 ? filter_steps<1>(steps, begin, end, filter) : filter_steps<2>(steps, begin, end, filter);
-}
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#endif
-void sweep_back(SmoothingSteps& steps, int count, int components, const LaneState* costates, const Lanes* values) {
-  components == 1 ? fill_in_steps<1>(steps, count, costates, values) : fill_in_steps<2>(steps, count, costates, values);
+void sweep_back(const LaneState* costates, const Lanes* values, SmoothingSteps& steps, const CoefficientLines& lines) {
+  lines.components == 1 ? fill_in_lines<1>(costates, values, steps, lines)
+                        : fill_in_lines<2>(costates, values, steps, lines);
 }
 
 }  // namespace batten

@@ -12,34 +12,41 @@ StreamedCycle::StreamedCycle(const Hierarchy& hierarchy, int steps, double lambd
   for (int k = 0; k < hierarchy.size(); ++k) {
     const std::size_t n = hierarchy[k].space.size();
     const auto size = [n](bool used) { return std::vector<double>(used ? n : 0); };
-    levels_.push_back({StreamedSmoother(hierarchy[k], steps, lambda), cubic_refinement(hierarchy, k), size(k > 0),
-                       size(k + 1 < hierarchy.size()), size(k > 0)});
+    levels_.push_back({StreamedSmoother(hierarchy[k], steps, lambda),
+                       {},
+                       cubic_refinement(hierarchy, k),
+                       size(k > 0),
+                       size(k + 1 < hierarchy.size()),
+                       size(k > 0)});
+    if (hierarchy.degree() == 1) levels_.back().first.emplace(hierarchy[k], 1, lambda);
   }
 }
 
 /// The first half of a cycle, which leaves `middle` and the solution x of the next coarser level. Returns r·Br if
 /// `measure` is set.
-double StreamedCycle::correct(std::size_t k, const StreamedSmoother::Start& start, std::span<const double> b,
+double StreamedCycle::correct(Kind kind, std::size_t k, const StreamedSmoother::Start& start, std::span<const double> b,
                               bool measure) const {
   auto& coarse = levels_[k + 1];
-  double square = levels_[k].smoother.descend(start, b, levels_[k].middle, coarse.right, measure, rings_);
+  const auto& fine = levels_[k];
+  const auto& first = kind == Kind::ByLevels && fine.first ? *fine.first : fine.smoother;
+  double square = first.descend(start, b, levels_[k].middle, coarse.right, measure, rings_);
   if (k + 2 < levels_.size()) {
-    square += correct(k + 1, {}, coarse.right, measure);
+    square += correct(kind, k + 1, {}, coarse.right, measure);
     coarse.smoother.ascend(coarse.middle, levels_[k + 2].x, coarse.right, coarse.x, rings_);
   } else {
-    improve(k + 1, {}, coarse.right, coarse.x);
+    improve(kind, k + 1, {}, coarse.right, coarse.x);
     if (measure) square += std::inner_product(coarse.x.begin(), coarse.x.end(), coarse.right.begin(), 0.);
   }
   return square;
 }
 
-void StreamedCycle::improve(std::size_t k, const StreamedSmoother::Start& start, std::span<const double> b,
+void StreamedCycle::improve(Kind kind, std::size_t k, const StreamedSmoother::Start& start, std::span<const double> b,
                             std::span<double> out) const {
   if (k + 1 == levels_.size()) {
     std::copy(b.begin(), b.end(), out.begin());
     return coarsest_->solve(out);
   }
-  correct(k, start, b, false);
+  correct(kind, k, start, b, false);
   levels_[k].smoother.ascend(levels_[k].middle, levels_[k + 1].x, b, out, rings_);
 }
 
@@ -48,8 +55,8 @@ double StreamedCycle::improve_unless(double enough, std::span<const double> b, s
     improve(0, {}, b, c);
     return 0;
   }
-  const double error =
-      std::sqrt(std::max(0., correct(0, {.given = c.data(), .coarse = nullptr, .refinement = nullptr}, b, true)));
+  const double error = std::sqrt(std::max(
+      0., correct(Kind::Symmetric, 0, {.given = c.data(), .coarse = nullptr, .refinement = nullptr}, b, true)));
   if (error > enough) levels_[0].smoother.ascend(levels_[0].middle, levels_[1].x, b, c, rings_);
   return error;
 }
@@ -66,7 +73,7 @@ void StreamedCycle::solve_by_levels(std::span<const double> b, std::span<double>
       start.coarse = levels_[k + 1].x.data();
       start.refinement = cubic ? &*cubic : &*(*hierarchy_)[static_cast<int>(k)].refinement;
     }
-    improve(k, start, right(k), k == 0 ? c : levels_[k].x);
+    improve(Kind::ByLevels, k, start, right(k), k == 0 ? c : levels_[k].x);
   }
 }
 

@@ -20,13 +20,16 @@ public:
 
   /// out = s + B (b - A s) for the start s, B one V-cycle from this level down. `out` may be the start.
   void improve(std::size_t level, const StreamedSmoother::Start& start, std::span<const double> b,
-               std::span<double> out) const;
+               std::span<double> out) const {
+    improve(Kind::Symmetric, level, start, b, out);
+  }
   /// The same for the finest level and the start c. Returns sqrt(r·Br), r = b - A c: the start's error in the energy
   /// norm, as B sees it. Where that is at most `enough`, the second half of the cycle is saved and c left as it is.
   double improve_unless(double enough, std::span<const double> b, std::span<double> c) const;
 
   /// Full multigrid from nothing, one V-cycle on each level: the error that is left is smaller than that of the
-  /// discretisation.
+  /// discretisation. For degree 1 these cycles have one step before and all after, which leaves as little of the error
+  /// of waves as cycles with all steps before as well.
   void solve_by_levels(std::span<const double> b, std::span<double> c) const;
   /// Its work, in V-cycles on the finest level.
   double work_by_levels() const;
@@ -34,12 +37,16 @@ public:
 private:
   struct Level {
     StreamedSmoother smoother;
-    std::optional<TensorSum> cubic;        // for the start by the next coarser level, if set
-    std::vector<double> right, middle, x;  // right-hand side, what the first half of a cycle leaves, solution
+    std::optional<StreamedSmoother> first;  // the one before, by levels, if set
+    std::optional<TensorSum> cubic;         // for the start by the next coarser level, if set
+    std::vector<double> right, middle, x;   // right-hand side, what the first half of a cycle leaves, solution
   };
 
-  double correct(std::size_t level, const StreamedSmoother::Start& start, std::span<const double> b,
+  enum class Kind { Symmetric, ByLevels };
+  double correct(Kind kind, std::size_t level, const StreamedSmoother::Start& start, std::span<const double> b,
                  bool measure) const;
+  void improve(Kind kind, std::size_t level, const StreamedSmoother::Start& start, std::span<const double> b,
+               std::span<double> out) const;
 
   const Hierarchy* hierarchy_;
   const SparseCholesky* coarsest_;

@@ -12,7 +12,7 @@ namespace batten {
 namespace {
 
 constexpr int piece_columns = 512;          // of a row that is worked on at a time, in the first-level cache
-constexpr int panel_columns = 1024;         // of the rings, which then fit in the second-level cache
+constexpr int panel_numbers = 75000;        // of the rings of one, which then fit in the second-level cache
 constexpr std::size_t shared_size = 20000;  // smaller levels are left to one thread
 
 /// The last few rows of a vector that passes by, some of its columns.
@@ -64,6 +64,18 @@ RepeatedRows inverse_diagonal(const Hierarchy::Level& level, double lambda) {
   for (double& v : result.values())  // functions that a condition takes away have the entry 0 and stay at 0
     v = v > 0 ? 1 / (lambda * level.bound * v) : 0;
   return result;
+}
+
+/// Rows of all rings at the most: where a start is refined, the residual restricted and the product measured.
+int ring_rows(const Hierarchy::Level& level, int steps) {
+  const int reach = level.space.y.degree(), behind = steps * reach + 1;
+  const int window = level.restriction ? level.restriction->band_height() : 0;
+  return 4 * behind + 2 * reach + window + steps * (2 * reach + 2);
+}
+
+int panels(const Hierarchy::Level& level, int steps) {
+  const int columns = std::max(1, panel_numbers / ring_rows(level, steps));
+  return std::max(1, (level.energy.columns() + columns / 2) / columns);
 }
 
 }  // namespace
@@ -132,7 +144,8 @@ private:
     const int behind = steps_ * reach_ + 1;  // rows from the first step to the last residual
     const int window = job_.coarse_right ? level_.restriction->band_height() : 0;
     const int start = job_.start.coarse ? behind + 2 * reach_ : 0, right = job_.measure ? behind : 0;
-    const int z = 2 * reach_ + 2, all = start + right + behind + window + behind + steps_ * z;
+    const int sum = steps_ > 1 ? behind : 0, z = 2 * reach_ + 2;
+    const int all = start + right + behind + window + sum + steps_ * z;
     const ColumnRange widest = columns(first_);
     const auto size = static_cast<std::size_t>(all * Ring::stride(widest));
     if (memory.size() < size) memory.resize(size);
@@ -140,7 +153,7 @@ private:
     if (start > 0) start_ = Ring(at, start, widest);
     if (right > 0) right_ = Ring(at, right, widest);
     r_ = Ring(at, behind + window, widest);
-    sum_ = Ring(at, behind, widest);
+    if (sum > 0) sum_ = Ring(at, sum, widest);
     for (int k = 0; k < steps_; ++k) z_[static_cast<std::size_t>(k)] = Ring(at, z, widest);
     next_coarse_ = coarse_rows_.begin;
   }
@@ -239,7 +252,7 @@ private:
     const ColumnRange own = {std::max(c.begin, own_.begin), std::min(c.end, own_.end)};
     if (!is_own(j) || own.begin >= own.end) return 0;
     const std::ptrdiff_t n = own.end - own.begin;
-    const double* sum = sum_[j] + own.begin;
+    const double* sum = (steps_ > 1 ? sum_ : z_[0])[j] + own.begin;
     double* x = job_.x + at(j) + own.begin;
     if (job_.start.coarse || job_.start.given)
       add_rows(start_row(j) + own.begin, sum, x, n);
@@ -279,7 +292,7 @@ StreamedSmoother::StreamedSmoother(const Hierarchy::Level& level, int steps, dou
     : level_(&level),
       lambda_(lambda),
       inverse_(inverse_diagonal(level, lambda)),
-      panels_(std::max(1, (level.energy.columns() + panel_columns / 2) / panel_columns)),
+      panels_(panels(level, steps)),
       sums_(static_cast<std::size_t>(level.energy.rows() * panels_)) {
   for (int i = 0; i < steps; ++i) steps_.push_back(chebyshev_step(i));
 }

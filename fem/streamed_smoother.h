@@ -19,7 +19,7 @@ namespace batten {
 /// (With data, points add to rows of whole vectors: that is why Smoother has vectors.)
 class StreamedSmoother {
 public:
-  /// `steps` applications of A before and after, at least 2. The level is kept by reference.
+  /// `steps` applications of A before and after; a single one before only. The level is kept by reference.
   StreamedSmoother(const Hierarchy::Level& level, int steps, double lambda);
 
   /// Where the smoothing starts: at 0, at `given`, or at the solution of the coarser level, refined by `refinement`.

@@ -138,6 +138,37 @@ TEST(SmoothingCurve, loses_no_more_digits_than_neighbouring_cells_differ_by) {
       }
 }
 
+TEST(SmoothingCurve, does_not_depend_on_the_units_of_lengths_and_weights) {
+  constexpr int n = 3001;
+  const auto knots = wild_knots(n - 1, false);
+  const Eigen::MatrixXd points = random_points(n, 1);
+  std::vector<double> weights(n);
+  for (int i = 0; i < n; ++i) weights[static_cast<std::size_t>(i)] = 1 + std::abs(points(i, 0));
+  const Eigen::MatrixXd expected = smoothing_curve(knots, points, weights, 1e-6).coefficients();
+  for (int length : {-60, 60})
+    for (int weight : {-700, 700}) {
+      std::vector<double> far = knots, heavy = weights;
+      for (double& knot : far) knot = std::ldexp(knot, length);
+      for (double& w : heavy) w = std::ldexp(w, weight);
+      const double lambda = std::ldexp(1e-6, 3 * length + weight);
+      EXPECT_TRUE(smoothing_curve(far, points, heavy, lambda).coefficients() == expected) << length << ' ' << weight;
+    }
+}
+
+TEST(SmoothingCurve, with_weights_that_are_all_1_is_that_without) {
+  for (bool closed : {false, true})
+    for (int n : {40, 513, 9001})  // blocks that are no whole chunks, groups with empty lanes
+      for (double lambda : {1e-6, 1., 1e12}) {
+        const auto knots = whole_knots(closed ? n : n - 1);
+        const std::vector<double> weights(static_cast<std::size_t>(n), 1.);
+        const Eigen::MatrixXd points = random_points(n, 3);
+        const Eigen::MatrixXd plain = smoothing_curve(knots, points, {}, lambda, closed).coefficients();
+        const Eigen::MatrixXd weighted = smoothing_curve(knots, points, weights, lambda, closed).coefficients();
+        const double difference = (plain - weighted).cwiseAbs().maxCoeff();
+        EXPECT_LT(difference, 100 * epsilon * plain.cwiseAbs().maxCoeff()) << closed << ' ' << n << ' ' << lambda;
+      }
+}
+
 TEST(Curves, of_any_number_of_components_are_those_of_each) {
   const auto knots = wild_knots(9000, false);
   const Eigen::MatrixXd points = random_points(9001, 5);

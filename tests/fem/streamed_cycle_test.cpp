@@ -122,6 +122,40 @@ TEST(StreamedCycle, one_pass_over_the_levels_leaves_less_than_a_tenth_of_the_dis
   for (std::size_t i = 0; i < c.size(); ++i) ASSERT_NEAR(c[i], mode[i], 0.1 * discretisation);
 }
 
+/// sin kπx sin lπy
+double wave(int k, int l, double x, double y) { return std::sin(k * pi * x) * std::sin(l * pi * y); }
+
+/// L2 error of nodal values on n x n cells of the unit square, by two Gauss points in each cell and direction.
+double wave_error(const std::vector<double>& v, int n, int k, int l) {
+  double sum = 0;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      for (const double s : {0.5 - std::sqrt(1. / 12), 0.5 + std::sqrt(1. / 12)})
+        for (const double t : {0.5 - std::sqrt(1. / 12), 0.5 + std::sqrt(1. / 12)}) {
+          const double* u = v.data() + static_cast<std::ptrdiff_t>(j) * (n + 1) + i;
+          const double value = (1 - t) * ((1 - s) * u[0] + s * u[1]) + t * ((1 - s) * u[n + 1] + s * u[n + 2]);
+          sum += std::pow(value - wave(k, l, (i + s) / n, (j + t) / n), 2);
+        }
+  return std::sqrt(sum / 4) / n;
+}
+
+// ∫ sin kπx φ_i dx = sin kπx_i 2 (1 - cos kπh) / (k² π² h) for the hat function φ_i.
+TEST(StreamedCycle, one_pass_over_the_levels_reaches_the_discretisation_error) {
+  constexpr int n = 128;
+  const Trial t(1, n, n, 1);
+  for (const auto& [k, l] : {std::pair{1, 1}, {3, 5}, {2, 7}, {16, 1}}) {
+    const auto moment = [](int m) { return 2 * (1 - std::cos(m * pi / n)) * n / (m * m * pi * pi); };
+    const double load = 0.7 * (k * k + l * l) * pi * pi * moment(k) * moment(l);
+    std::vector<double> b, one(t.system.size()), exact(t.system.size(), 0.);
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i)
+        b.push_back(i % n == 0 || j % n == 0 ? 0 : load * wave(k, l, double(i) / n, double(j) / n));
+    solve_by_levels(t.system, b, one);
+    solve(t.system, b, exact, {.accuracy = 1e-12});
+    EXPECT_LE(wave_error(one, n, k, l), 1.05 * wave_error(exact, n, k, l)) << k << ' ' << l;
+  }
+}
+
 TEST(StreamedCycle, has_the_same_bits_for_every_thread_count) {
   const int threads = omp_get_max_threads();
   for (const auto& [order, degree] : {std::pair{1, 1}, {2, 3}}) {
