@@ -75,6 +75,7 @@ TEST_F(FlowCommand, writes_everything_it_is_asked_for_and_five_lines) {
     EXPECT_THAT(folder_.read("f.vti"), HasSubstr("Name=\"" + std::string(name) + "\"")) << name;
   for (const char* const name : {"speed", "time", "vorticity"})
     EXPECT_THAT(folder_.read("f.vtp"), HasSubstr("Name=\"" + std::string(name) + "\"")) << name;
+  EXPECT_THAT(folder_.read("f.vti"), HasSubstr("Scalars=\"speed\" Vectors=\"velocity\""));
   EXPECT_THAT(folder_.read("f.vtp"), HasSubstr("NumberOfLines=\"6\""));
 }
 
