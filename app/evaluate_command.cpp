@@ -4,21 +4,24 @@
 #include <batten/app/output_names.h>
 #include <batten/app/point_columns.h>
 #include <batten/app/progress.h>
+#include <batten/app/run_arguments.h>
 #include <batten/app/thread_count.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
 #include <batten/fem/solution.h>
+#include <batten/flows/flow_field.h>
 #include <batten/io/image_file.h>
 #include <batten/io/table.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <tuple>
 
 namespace batten {
 namespace {
@@ -29,16 +32,57 @@ struct EvaluateArguments {
   std::string x, y;
   bool derivatives = false;
   std::string output;
-  int threads = 0;
-  bool quiet = false;
+  RunArguments run;
 };
 
-struct Derivative {
-  const char* name;
-  int x_order, y_order;
+/// A column of what is written.
+struct Quantity {
+  std::string name;
+  std::function<double(double, double)> at;
 };
-constexpr std::array derivatives = {Derivative{"value", 0, 0}, Derivative{"dx", 1, 0},  Derivative{"dy", 0, 1},
-                                    Derivative{"dxx", 2, 0},   Derivative{"dxy", 1, 1}, Derivative{"dyy", 0, 2}};
+
+/// A result of any kind.
+struct Result {
+  Rectangle region;
+  std::vector<Quantity> quantities;
+};
+
+Result surface_result(const Record& record, bool derivatives) {
+  const Solution p = Solution::from_record(record);
+  const auto derivative = [p](int a, int b) {
+    return [p, a, b](double x, double y) { return p.derivative(x, y, a, b); };
+  };
+  Result result{p.region(), {{"value", derivative(0, 0)}}};
+  if (!derivatives) return result;
+  for (const auto& [name, a, b] : {std::tuple{"dx", 1, 0}, {"dy", 0, 1}, {"dxx", 2, 0}, {"dxy", 1, 1}, {"dyy", 0, 2}})
+    result.quantities.push_back({name, derivative(a, b)});
+  return result;
+}
+
+Result flow_result(const Record& record, bool derivatives) {
+  const FlowField f = FlowField::from_record(record);
+  Result result{f.region(),
+                {{"u", [f](double x, double y) { return f.velocity(x, y).u; }},
+                 {"v", [f](double x, double y) { return f.velocity(x, y).v; }},
+                 {"divergence", [f](double x, double y) { return f.divergence(x, y); }},
+                 {"vorticity", [f](double x, double y) { return f.vorticity(x, y); }},
+                 {"speed", [f](double x, double y) { return f.speed(x, y); }}}};
+  if (f.stream())
+    result.quantities.push_back({"stream_function", [f](double x, double y) { return f.stream_function(x, y); }});
+  if (!derivatives) return result;
+  const auto add = [&](const char* name, double FlowField::Gradient::*part) {
+    result.quantities.push_back({name, [f, part](double x, double y) { return f.gradient(x, y).*part; }});
+  };
+  add("u_x", &FlowField::Gradient::u_x);
+  add("u_y", &FlowField::Gradient::u_y);
+  add("v_x", &FlowField::Gradient::v_x);
+  add("v_y", &FlowField::Gradient::v_y);
+  return result;
+}
+
+Result result_of(const Record& record, bool derivatives) {
+  return record.kind == "flow" ? flow_result(record, derivatives) : surface_result(record, derivatives);
+}
 
 void check_outputs(const EvaluateArguments& arguments) {
   for (const std::string& input : {arguments.result, arguments.at}) check_not_input(arguments.output, input);
@@ -60,22 +104,20 @@ double on_interval(const Interval& interval, double v) {
   return v;
 }
 
-std::vector<double> evaluated(const Solution& solution, const Table& points, const Derivative& which) {
-  const Rectangle& region = solution.region();
+std::vector<double> evaluated(const Rectangle& region, const Table& points, const Quantity& quantity) {
   std::vector<double> values(points.columns[0].size());
   const auto size = static_cast<std::ptrdiff_t>(values.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < size; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double x = on_interval(region.x, points.columns[0][k]), y = on_interval(region.y, points.columns[1][k]);
-    values[k] = solution.derivative(x, y, which.x_order, which.y_order);
+    values[k] = quantity.at(x, y);
   }
   return values;
 }
 
-void print_summary(const EvaluateArguments& arguments, const Solution& solution, const std::vector<double>& values) {
+void print_summary(const EvaluateArguments& arguments, const Rectangle& region, const std::vector<double>& values) {
   const auto outside = std::count_if(values.begin(), values.end(), [](double v) { return std::isnan(v); });
-  const Rectangle& region = solution.region();
   if (outside > 0) {
     std::cerr << "batten: note: " << outside << " of " << values.size() << " points lie outside the region (x from "
               << number_text(region.x.lower(), 6) << " to " << number_text(region.x.upper(), 6) << ", y from "
@@ -88,24 +130,23 @@ void print_summary(const EvaluateArguments& arguments, const Solution& solution,
 
 void run_evaluate(const EvaluateArguments& arguments) {
   check_outputs(arguments);
-  set_thread_count(arguments.threads);
-  Progress progress("batten evaluate", arguments.quiet);
+  set_thread_count(arguments.run.threads);
+  Progress progress("batten evaluate", arguments.run.quiet);
   progress.show("read");
-  const Solution solution = Solution::from_record(read_record(arguments.result));
+  const auto [region, quantities] = result_of(read_record(arguments.result), arguments.derivatives);
   const Table points = read_points(arguments);
 
   progress.show("evaluate");
   std::vector<std::string> names = {"x", "y"};
   std::vector<std::vector<double>> columns = {points.columns[0], points.columns[1]};
-  const std::size_t wanted = arguments.derivatives ? derivatives.size() : 1;
-  for (std::size_t k = 0; k < wanted; ++k) {
-    names.emplace_back(derivatives[k].name);
-    columns.push_back(evaluated(solution, points, derivatives[k]));
+  for (const Quantity& quantity : quantities) {
+    names.push_back(quantity.name);
+    columns.push_back(evaluated(region, points, quantity));
   }
   progress.show("write " + arguments.output);
   write_table(arguments.output, names, columns);
   progress.erase();
-  if (!arguments.quiet) print_summary(arguments, solution, columns[2]);
+  if (!arguments.run.quiet) print_summary(arguments, region, columns[2]);
 }
 
 }  // namespace
@@ -124,10 +165,7 @@ Subcommand add_evaluate_command(CLI::App& app) {
   x->needs(y);
   parser->add_flag("--derivatives", a->derivatives, "first and second derivatives as well");
   parser->add_option("-o,--output", a->output, "the values")->required()->option_text("OUT.csv");
-  parser->add_option("--threads", a->threads, "default: all of the machine; the result does not depend on it")
-      ->option_text("N")
-      ->check(CLI::Range(1, most_threads));
-  parser->add_flag("--quiet", a->quiet, "print errors only");
+  add_run_options(*parser, a->run, false);
   parser->footer(evaluate_help);
   return {parser, [a] { run_evaluate(*a); }};
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/app/grid_arguments.h>
+#include <batten/app/run_arguments.h>
+#include <batten/app/smoothing_arguments.h>
 #include <batten/fem/fit.h>
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -21,20 +22,14 @@ struct FitArguments {
   std::string energy = "thin-plate";
   std::optional<double> tension;
   int degree = 3;
-  std::string smoothing = "auto";
-  std::optional<double> tolerance;
-  bool allow = false;
+  SmoothingArguments smoothing;
   std::optional<double> aspect;
   bool geographic = false;
-  std::optional<std::array<double, 4>> region;
-  std::optional<std::array<std::int64_t, 2>> cells;
-  std::optional<double> spacing;
+  GridArguments grid;
   bool skip_invalid = false;
   bool standard_error = false;
   std::optional<double> mask_distance;
-  int threads = 0;  ///< 0: as many as the machine offers
-  bool quiet = false;
-  std::uint64_t seed = 1;
+  RunArguments run;
   std::string output, points_out, picture, report;
   std::string view = "surface";
 };
@@ -51,7 +46,5 @@ void check_arguments(const FitArguments& arguments);
 Energy energy_of(const FitArguments& arguments);
 /// T of the mixture that the energy is: 0 for the thin plate, 1 for the membrane.
 double tension_of(const FitArguments& arguments);
-/// Throws UsageError if --smoothing is neither auto, none nor a number >= 0.
-Smoothing smoothing_of(const FitArguments& arguments);
 
 }  // namespace batten

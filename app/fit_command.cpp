@@ -24,32 +24,24 @@ FitOptions fit_options(const FitArguments& arguments, double aspect, Progress& p
   FitOptions options;
   options.energy = energy_of(arguments);
   options.degree = arguments.degree;
-  options.smoothing = smoothing_of(arguments);
+  options.smoothing = smoothing_of(arguments.smoothing);
   options.aspect = aspect;
   options.standard_error = arguments.standard_error;
-  options.seed = arguments.seed;
+  options.seed = arguments.smoothing.seed;
   options.progress = [&progress](std::string_view phase, double done) { progress.show(phase, done); };
   return options;
 }
 
-std::string tolerance_text(const FitArguments& arguments, const FitInput& input, const FitResult& result) {
-  const Rectangle& region = result.solution.region();
-  return "the tolerance " + number_text(*arguments.tolerance) + " is not reachable on this grid of " +
-         std::to_string(region.x.cells()) + " x " + std::to_string(region.y.cells()) + " cells: the worst point, " +
-         place_of(input, result.worst_point) + ", is " +
-         number_text(std::abs(result.fitted[result.worst_point] - input.observations.value[result.worst_point])) +
-         " away";
-}
-
-void check_tolerance(const FitArguments& arguments, const FitInput& input, const FitResult& result) {
-  if (result.tolerance_reached || arguments.allow) return;
-  throw InvalidInput(tolerance_text(arguments, input, result) +
-                     "; nothing is written; take more cells, or --allow to write it nevertheless");
+std::string unreached_text(const FitArguments& arguments, const FitInput& input, const FitResult& result) {
+  const std::size_t worst = result.worst_point;
+  return unreached_text(arguments.smoothing, result.solution.region(),
+                        place_of(input, worst) + ", is " +
+                            number_text(std::abs(result.fitted[worst] - input.observations.value[worst])) + " away");
 }
 
 std::vector<std::string> warnings_of(const FitArguments& arguments, const FitInput& input, const FitResult& result) {
   std::vector<std::string> warnings;
-  if (!result.tolerance_reached) warnings.push_back(tolerance_text(arguments, input, result));
+  if (!result.tolerance_reached) warnings.push_back(unreached_text(arguments, input, result));
   return warnings;
 }
 
@@ -61,7 +53,7 @@ GridSamples surface_samples(const FitResult& result, const std::vector<bool>& fa
 }
 
 void print(const FitAccount& account) {
-  const bool quiet = account.arguments->quiet;
+  const bool quiet = account.arguments->run.quiet;
   for (const std::string& text : account.warnings) std::cerr << "batten: warning: " << text << '\n';
   if (quiet) return;
   for (const std::string& text : account.notes) std::cerr << "batten: note: " << text << '\n';
@@ -71,8 +63,8 @@ void print(const FitAccount& account) {
 void run_fit(const FitArguments& arguments) {
   check_arguments(arguments);
   check_outputs(arguments);
-  set_thread_count(arguments.threads);
-  Progress progress("batten fit", arguments.quiet);
+  set_thread_count(arguments.run.threads);
+  Progress progress("batten fit", arguments.run.quiet);
   Stopwatch total, watch;
 
   progress.show("read");
@@ -90,7 +82,8 @@ void run_fit(const FitArguments& arguments) {
 
   const FitResult result = fit_surface(input.observations, region, fit_options(arguments, aspect, progress));
   seconds.insert(seconds.end(), result.seconds.begin(), result.seconds.end());
-  check_tolerance(arguments, input, result);
+  if (!result.tolerance_reached)
+    check_reached(arguments.smoothing, found_by(result), unreached_text(arguments, input, result));
 
   watch.lap();
   write_outputs({&arguments, &input, &result, aspect, surface_samples(result, far)}, progress);

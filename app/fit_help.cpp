@@ -30,7 +30,9 @@ Examples:
 
 const char* const evaluate_help = R"(
 Writes the columns x, y, value and, with --derivatives, dx, dy, dxx, dxy, dyy,
-in the units of the data. Points outside the region of the result have empty
+in the units of the data. Of what batten flow wrote: x, y, u, v, divergence,
+vorticity, speed, stream_function (but for the model irrotational) and, with
+--derivatives, u_x, u_y, v_x, v_y. Points outside the region of the result have empty
 fields and are counted.
 
 Example, after batten fit examples/data/topo.csv --x x --y y --value z -o topo.vti:

@@ -26,11 +26,13 @@ Record record_of(const FitOutputs& outputs) {
                     {"max_residual", result.largest_residual},
                     {"points", static_cast<double>(result.points_used)}};
   if (result.effective_degrees) record.numbers["effective_degrees"] = *result.effective_degrees;
-  if (arguments.tolerance) record.numbers["tolerance"] = *arguments.tolerance;
-  record.texts = {
-      {"energy", arguments.energy},       {"smoothing", arguments.tolerance ? "tolerance" : arguments.smoothing},
-      {"x", outputs.input->names[0]},     {"y", outputs.input->names[1]},
-      {"value", outputs.input->names[2]}, {"program", "batten " BATTEN_VERSION}};
+  if (arguments.smoothing.tolerance) record.numbers["tolerance"] = *arguments.smoothing.tolerance;
+  record.texts = {{"energy", arguments.energy},
+                  {"smoothing", arguments.smoothing.tolerance ? "tolerance" : arguments.smoothing.text},
+                  {"x", outputs.input->names[0]},
+                  {"y", outputs.input->names[1]},
+                  {"value", outputs.input->names[2]},
+                  {"program", "batten " BATTEN_VERSION}};
   return record;
 }
 

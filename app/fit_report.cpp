@@ -37,7 +37,7 @@ Json seconds_json(const FitAccount& account) {
   return json;
 }
 
-Json smoothing_json(const FitArguments& arguments) {
+Json smoothing_json(const SmoothingArguments& arguments) {
   if (arguments.tolerance) return "tolerance";
   const Smoothing smoothing = smoothing_of(arguments);
   if (smoothing.kind == Smoothing::Kind::Automatic) return "auto";
@@ -56,9 +56,9 @@ Json report_json(const FitAccount& account) {
   json["region"] = region_json(region);
   json["energy_kind"] = arguments.energy;
   json["tension"] = tension_of(arguments);
-  json["smoothing"] = smoothing_json(arguments);
-  json["tolerance"] = arguments.tolerance ? Json(*arguments.tolerance) : Json();
-  json["tolerance_reached"] = arguments.tolerance ? Json(result.tolerance_reached) : Json();
+  json["smoothing"] = smoothing_json(arguments.smoothing);
+  json["tolerance"] = arguments.smoothing.tolerance ? Json(*arguments.smoothing.tolerance) : Json();
+  json["tolerance_reached"] = arguments.smoothing.tolerance ? Json(result.tolerance_reached) : Json();
   json["lambda"] = result.lambda;
   json["energy"] = result.energy;
   json["effective_degrees"] = result.effective_degrees ? Json(*result.effective_degrees) : Json();
@@ -76,6 +76,10 @@ Json report_json(const FitAccount& account) {
 }
 
 }  // namespace
+
+SmoothingFound found_by(const FitResult& result) {
+  return {result.lambda, result.tolerance_reached, result.no_interior_minimum};
+}
 
 void write_report(const std::filesystem::path& path, const FitAccount& account) {
   OutputFile file(path);

@@ -21,6 +21,9 @@ struct FitAccount {
   std::vector<PhaseTime> seconds;     ///< of all phases, in order, and the total
 };
 
+/// What the fit made of --smoothing and --tolerance.
+SmoothingFound found_by(const FitResult& result);
+
 /// Writes the numbers as JSON, with the keys that docs/fit.md lists. Throws IoError.
 void write_report(const std::filesystem::path& path, const FitAccount& account);
 

@@ -2,6 +2,7 @@
 #include <batten/app/fit_outputs.h>
 #include <batten/app/fit_report.h>
 #include <batten/app/grid_text.h>
+#include <batten/app/table_source.h>
 #include <batten/domains/number_text.h>
 
 namespace batten {
@@ -9,15 +10,9 @@ namespace {
 
 std::string points_line(const FitAccount& account) {
   const FitResult& result = *account.result;
-  const std::string source = account.arguments->points == "-" ? "standard input" : account.arguments->points;
-  std::string line = source + ": " + std::to_string(result.points_used) + " points";
-  const auto add = [&](std::size_t count, const char* what) {
-    if (count > 0) line += ", " + std::to_string(count) + ' ' + what;
-  };
-  add(account.input->skipped, "rows skipped");
-  add(result.points_outside, "outside the region");
-  add(result.points_merged, "averaged into others");
-  return line;
+  return counts_text(account.arguments->points,
+                     {result.points_used, account.input->skipped, result.points_outside, result.points_merged},
+                     "points");
 }
 
 std::string energy_text(const FitArguments& arguments) {
@@ -25,27 +20,11 @@ std::string energy_text(const FitArguments& arguments) {
   return arguments.energy == "membrane" ? "membrane" : "thin plate";
 }
 
-std::string smoothing_text(const FitAccount& account) {
-  const FitResult& result = *account.result;
-  const Smoothing smoothing = smoothing_of(*account.arguments);
-  switch (smoothing.kind) {
-    case Smoothing::Kind::Tolerance:
-      return "within " + number_text(smoothing.value) + (result.tolerance_reached ? "" : " (not reached)");
-    case Smoothing::Kind::None:
-      return result.lambda > 0 ? "lambda " + number_text(result.lambda) : "no smoothing";
-    case Smoothing::Kind::Automatic:
-      return "lambda " + number_text(result.lambda) + " by cross-validation" +
-             (result.no_interior_minimum ? " (no interior minimum)" : "");
-    case Smoothing::Kind::Fixed:
-      break;
-  }
-  return "lambda " + number_text(result.lambda);
-}
-
 std::string surface_line(const FitAccount& account) {
   const FitResult& result = *account.result;
-  std::string line =
-      energy_text(*account.arguments) + ", " + smoothing_text(account) + ", energy " + number_text(result.energy);
+  std::string line = energy_text(*account.arguments) + ", " +
+                     smoothing_text(account.arguments->smoothing, found_by(result)) + ", energy " +
+                     number_text(result.energy);
   if (result.effective_degrees) line += ", " + number_text(*result.effective_degrees) + " effective degrees of freedom";
   return line;
 }

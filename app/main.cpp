@@ -2,6 +2,7 @@
 // The command `batten`. One file per subcommand.
 #include <batten/app/evaluate_command.h>
 #include <batten/app/fit_command.h>
+#include <batten/app/flow_command.h>
 #include <batten/app/scheme_command.h>
 #include <batten/app/solve_command.h>
 #include <batten/app/subdivide_command.h>
@@ -69,12 +70,13 @@ int run_parsed(const CLI::App& app, const std::vector<Subcommand>& commands) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Curves and surfaces of least energy, and subdivision schemes", "batten");
+  CLI::App app("Curves, surfaces and flows of least energy, and subdivision schemes", "batten");
   app.set_version_flag("--version", "batten " BATTEN_VERSION);
   app.set_help_flag("-h,--help", "print this help and exit");
   app.footer("batten COMMAND --help explains each command.");
   app.require_subcommand(1);
-  const std::vector<Subcommand> commands = {add_fit_command(app), add_evaluate_command(app), add_solve_command(app),
+  const std::vector<Subcommand> commands = {add_fit_command(app),    add_evaluate_command(app),
+                                            add_flow_command(app),   add_solve_command(app),
                                             add_scheme_command(app), add_subdivide_command(app)};
   if (argc <= 1) {
     std::cout << app.help();

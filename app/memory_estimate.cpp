@@ -68,7 +68,7 @@ void check(double cells_x, double cells_y, const std::string& what, double neede
 double fit_memory(const FitSize& size) {
   // Measured at 64^2 to 2048^2 cells and 10^3 to 10^6 points; interpolation factors a matrix that couples the points.
   constexpr double per_unknown = 400, per_point = 350, per_interpolated_point = 2500, at_least = 4e7;
-  const double unknowns = (size.cells_x + size.degree) * (size.cells_y + size.degree);
+  const double unknowns = size.splines * (size.cells_x + size.degree) * (size.cells_y + size.degree);
   const bool couples = size.interpolates && size.points <= unknowns;
   return at_least + per_unknown * unknowns + (couples ? per_interpolated_point : per_point) * size.points;
 }

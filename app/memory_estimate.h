@@ -9,6 +9,7 @@ struct FitSize {
   int degree = 3;
   double points = 0;
   bool interpolates = false;  ///< no smoothing, or a tolerance
+  int splines = 1;            ///< 2: a sum, as of a rotation and a gradient
 };
 
 /// Bytes that a fit of this size needs at its peak, measured; an estimate, not a bound.

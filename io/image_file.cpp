@@ -149,8 +149,11 @@ void write_image(const std::filesystem::path& path, const GridSamples& grid, con
   vtkPointData* const data = image->GetPointData();
   for (const PointArray& array : grid.arrays) {
     add_array(data, array.name, array.values, array.components);
-    if (array.name == "value" && array.components == 1) data->SetActiveScalars("value");
-    if (array.name == "gradient" && array.components == 3) data->SetActiveVectors("gradient");
+    const char* const name = array.name.c_str();
+    const bool is_scalar = array.name == "value" || array.name == "speed";
+    const bool is_vector = array.name == "gradient" || array.name == "velocity";
+    if (is_scalar && array.components == 1) data->SetActiveScalars(name);
+    if (is_vector && array.components == 3) data->SetActiveVectors(name);
   }
   add_record(image->GetFieldData(), record);
 

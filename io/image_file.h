@@ -8,9 +8,9 @@
 
 namespace batten {
 
-/// Writes `grid` as VTK image data (.vti, raw appended, uncompressed), with the array "value" as active scalars and
-/// "gradient" (if it has three components) as active vectors. `record` goes into the field data, every double bit for
-/// bit: batten.kind, .degree, .cells, .region, .array.NAME, .number.NAME, .text.NAME.
+/// Writes `grid` as VTK image data (.vti, raw appended, uncompressed), with the array "value" or "speed" as active
+/// scalars and "gradient" or "velocity" (if it has three components) as active vectors. `record` goes into the field
+/// data, every double bit for bit: batten.kind, .degree, .cells, .region, .array.NAME, .number.NAME, .text.NAME.
 /// Throws IoError if the file cannot be written, InvalidInput if an array does not fit the grid.
 void write_image(const std::filesystem::path& path, const GridSamples& grid, const Record& record);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <batten/io/picture_views.h>
+#include <batten/io/picture_curves.h>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -75,10 +75,12 @@ PlotArea draw_map(ViewInput& view) {
   add_mesh(view.renderer, view.mesh, Shading::Flat);
   const auto level_of = [&](double value) { return (value - field.low) / (field.high - field.low); };
   std::vector<double> levels;
-  for (const Tick& tick : view.value_ticks) levels.push_back(level_of(tick.value));
+  if (view.options->contours)
+    for (const Tick& tick : view.value_ticks) levels.push_back(level_of(tick.value));
   add_contours(view.renderer, view.mesh, levels, {.width = 1, .opacity = 0.5, .lift = contour_height});
   if (const auto& bold = view.options->bold_value; bold && field.low < *bold && *bold < field.high)
     add_contours(view.renderer, view.mesh, std::array{level_of(*bold)}, {.width = 4, .lift = contour_height});
+  draw_curves(view, scale);
   draw_points(view, scale, plot.width() * plot.height());
 
   draw_axes(*view.overlay, plot, {field.x.front(), field.x.back(), view.options->x_name},

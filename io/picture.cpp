@@ -28,6 +28,11 @@ void check(const PictureOptions& options) {
     throw InvalidInput("draw_picture: y_scale must be positive");
   if (!(options.relief > 0 && std::isfinite(options.relief)))
     throw InvalidInput("draw_picture: relief must be positive");
+  for (const CurveSamples& curve : options.curves) {
+    if (curve.x.size() != curve.y.size())
+      throw InvalidInput("draw_picture: x and y of a curve must have equal lengths, found " +
+                         std::to_string(curve.x.size()) + " and " + std::to_string(curve.y.size()));
+  }
 }
 
 // Those of the points that lie in the rectangle of the field; every k-th, if they are more than can be told apart.

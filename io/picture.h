@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <batten/domains/grid_samples.h>
+#include <batten/domains/curve_samples.h>
 
 #include <array>
 #include <cstdint>
@@ -28,6 +28,13 @@ struct PictureOptions {
   std::string y_name = "y";
   double y_scale = 1;                ///< length of one unit of y in the picture, in units of x
   std::optional<double> bold_value;  ///< Map: the contour line of this value is drawn bold
+  bool contours = true;              ///< Map: contour lines of round values
+  enum class Heads {
+    Along,  ///< arrow heads at equal distances, one at least
+    End,    ///< one at the end: the curves are arrows
+  };
+  std::vector<CurveSamples> curves;  ///< Map: white lines with dark edges over the colours, at their x and y
+  Heads heads = Heads::Along;        ///< of the curves, in the order of their points
   double relief = 1 / 3.;            ///< Surface: height of the surface over the longer side of its plan
 };
 

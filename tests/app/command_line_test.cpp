@@ -73,7 +73,7 @@ TEST(CommandLine, help_of_fit_states_the_functional_and_the_normalisation) {
 TEST(CommandLine, examples_of_the_help_run_as_typed) {
   if (!has_vtk) GTEST_SKIP() << "built without VTK";
   const Folder folder;
-  for (const char* const command : {"fit", "evaluate", "solve"}) {
+  for (const char* const command : {"fit", "evaluate", "flow", "solve"}) {
     const std::vector<std::string> examples = examples_of(run_batten(folder, {command, "--help"}));
     EXPECT_FALSE(examples.empty());
     for (const std::string& example : examples) {
@@ -84,6 +84,7 @@ TEST(CommandLine, examples_of_the_help_run_as_typed) {
   EXPECT_TRUE(folder.has("topo.vti"));
   EXPECT_TRUE(folder.has("rain.png"));
   EXPECT_TRUE(folder.has("there.csv"));
+  EXPECT_TRUE(folder.has("lines.vtp"));
   EXPECT_TRUE(folder.has("plate.json"));
 }
 

@@ -169,6 +169,60 @@ TEST(Map, does_not_depend_on_large_offsets) {
   }
 }
 
+// A level line through the middle, from x = 0.2 to 0.8.
+PictureOptions with_line(PictureOptions::Heads heads) {
+  PictureOptions options = map_options();
+  options.contours = false;
+  options.heads = heads;
+  options.curves = {{.x = {0.2, 0.8}, .y = {0.5, 0.5}}};
+  return options;
+}
+
+// How many pixels around (x, 0.5) are white.
+int white_around(const Picture& map, double x) {
+  int count = 0;
+  for (int row = row_of(map, 0.5) - 12; row <= row_of(map, 0.5) + 12; ++row)
+    for (int column = column_of(map, x) - 12; column <= column_of(map, x) + 12; ++column)
+      count += colour_at(map, column, row) == white;
+  return count;
+}
+
+TEST(Map, has_white_curves_with_dark_edges) {
+  const Picture map = draw_picture(sampled(ramp), {}, with_line(PictureOptions::Heads::End));
+  for (const double x : {0.25, 0.4, 0.6}) {
+    int lightest = 0, darkest = 255 * 3;
+    for (int row = row_of(map, 0.5) - 4; row <= row_of(map, 0.5) + 4; ++row) {
+      const Colour c = colour_at(map, column_of(map, x), row);
+      lightest = std::max(lightest, c[0] + c[1] + c[2]);
+      darkest = std::min(darkest, c[0] + c[1] + c[2]);
+    }
+    const Colour ground = level_colour(x);
+    EXPECT_EQ(lightest, 255 * 3) << x;
+    EXPECT_LT(darkest, 0.7 * (ground[0] + ground[1] + ground[2])) << x;
+    EXPECT_LE(distance(colour_at(map, column_of(map, x), row_of(map, 0.5) - 8), ground), tolerance) << x;
+  }
+  EXPECT_EQ(white_around(map, 0.1), 0);
+}
+
+TEST(Map, shows_the_direction_of_curves_by_heads) {
+  const Picture ends = draw_picture(sampled(ramp), {}, with_line(PictureOptions::Heads::End));
+  EXPECT_GT(white_around(ends, 0.8), white_around(ends, 0.2) + 4);
+  PictureOptions options = with_line(PictureOptions::Heads::End);
+  std::reverse(options.curves[0].x.begin(), options.curves[0].x.end());
+  const Picture reversed = draw_picture(sampled(ramp), {}, options);
+  EXPECT_GT(white_around(reversed, 0.2), white_around(reversed, 0.8) + 4);
+  const Picture along = draw_picture(sampled(ramp), {}, with_line(PictureOptions::Heads::Along));
+  EXPECT_NEAR(white_around(along, 0.2), white_around(along, 0.8), 4);
+}
+
+TEST(Map, leaves_out_what_of_a_curve_is_outside) {
+  PictureOptions options = with_line(PictureOptions::Heads::End);
+  options.curves = {{.x = {0.4, 0.6, 1.5, 1.5}, .y = {0.5, 0.5, 0.5, 0.9}}};
+  const Picture map = draw_picture(sampled(ramp), {}, options);
+  options.curves = {{.x = {0.4, 0.6}, .y = {0.5, 0.5}}};
+  EXPECT_EQ(map.rgb, draw_picture(sampled(ramp), {}, options).rgb);
+}
+
 TEST(ColourBar, spans_the_data) {
   for (const View view : {View::Map, View::Surface}) {
     PictureOptions options = map_options();
@@ -296,6 +350,9 @@ TEST(Picture, refuses_what_it_cannot_show) {
   options = map_options();
   options.y_scale = 0;
   EXPECT_EQ(message(sampled(ramp), options), "draw_picture: y_scale must be positive");
+  options = map_options();
+  options.curves = {{.x = {0.2, 0.8}, .y = {0.5}}};
+  EXPECT_EQ(message(sampled(ramp), options), "draw_picture: x and y of a curve must have equal lengths, found 2 and 1");
   EXPECT_EQ(message_of<IoError>([] { write_picture("no/a.png", sampled(ramp), {}, map_options()); }),
             "no/a.png: the output folder no does not exist");
 }

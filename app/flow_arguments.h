@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <batten/app/grid_arguments.h>
+#include <batten/app/run_arguments.h>
+#include <batten/app/smoothing_arguments.h>
+#include <batten/flows/flow_fit.h>
+
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace batten {
+
+/// The command line of `batten flow`.
+struct FlowArguments {
+  std::string vectors;  ///< the file, "-" for standard input
+  std::string x, y, u, v, weight;
+  bool skip_invalid = false;
+  std::string model = "smooth";
+  std::optional<double> ratio;
+  int degree = 3;
+  SmoothingArguments smoothing;
+  GridArguments grid;
+  std::optional<int> streamlines;
+  std::string seeds;
+  std::string output, streamlines_out, picture, report;
+  RunArguments run;
+};
+
+/// Lets `parser` fill `arguments` and gives it its help text. `arguments` must outlive the parser.
+void add_flow_options(CLI::App& parser, FlowArguments& arguments);
+
+/// What CLI11 does not check: throws UsageError.
+void check_arguments(const FlowArguments& arguments);
+
+/// Throws UsageError, with the nearest name, if there is no such model.
+FlowModel model_of(const FlowArguments& arguments);
+
+}  // namespace batten

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <batten/app/flow_help.h>
+
+namespace batten {
+
+const char* const flow_help = R"(
+The field (u, v) is the one on the grid that minimises
+
+  sum_i w_i |(u,v)(x_i,y_i) - (u_i,v_i)|^2 / (2 sum_i w_i)  +  LAMBDA E
+
+with free sides. psi and phi are B-splines, E an integral over the region:
+
+  smooth        u = psi_y, v = -psi_x    third derivatives of psi
+  slow          u = psi_y, v = -psi_x    second derivatives of psi
+  irrotational  u = phi_x, v = phi_y     third derivatives of phi
+  general       the sum of both          of psi and R times those of phi
+
+in normalised coordinates: the longer side of the region has length 1. smooth
+and slow have no divergence at any point. slow leaves spikes at the vectors if
+they are not smoothed. Measured wind and surface currents have divergence: take
+general for these.
+
+--smoothing auto chooses LAMBDA by generalised cross-validation, none comes as
+close to the vectors as the grid allows. --tolerance E keeps u and v within E.
+
+--streamlines N traces N lines of the flow, each through the place farthest from
+those before, to the sides, points at rest or ten longer sides away.
+
+Examples:
+  batten flow examples/data/wind.csv --x x --y y --u u --v v --model general --smoothing 1e-7 --cells 48 48 -o wind.vti --picture wind.png
+  batten flow examples/data/wind.csv --x x --y y --u u --v v --smoothing 1e-7 --cells 64 64 -o rotation.vti --streamlines 60 --streamlines-out lines.vtp --picture lines.png)";
+
+}  // namespace batten

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <batten/app/flow_outputs.h>
+#include <batten/app/flow_streamlines.h>
+#include <batten/app/output_names.h>
+#include <batten/io/curve_file.h>
+#include <batten/io/image_file.h>
+#include <batten/io/picture.h>
+
+namespace batten {
+namespace {
+
+Record record_of(const FlowOutputs& outputs) {
+  const FlowArguments& arguments = *outputs.arguments;
+  const FlowResult& result = *outputs.result;
+  const auto& [x, y, u, v] = outputs.input->names;
+  const auto& tolerance = arguments.smoothing.tolerance;
+  Record record = result.field.to_record();
+  record.numbers = {{"lambda", result.lambda},
+                    {"energy", result.energy},
+                    {"rms_residual", result.rms_residual},
+                    {"max_residual", result.largest_residual},
+                    {"largest_divergence", result.largest_divergence},
+                    {"points", static_cast<double>(result.points_used)}};
+  if (result.effective_degrees) record.numbers["effective_degrees"] = *result.effective_degrees;
+  if (tolerance) record.numbers["tolerance"] = *tolerance;
+  if (model_of(arguments) == FlowModel::General) record.numbers["ratio"] = arguments.ratio.value_or(1);
+  record.texts = {{"model", arguments.model},
+                  {"smoothing", tolerance ? "tolerance" : arguments.smoothing.text},
+                  {"x", x},
+                  {"y", y},
+                  {"u", u},
+                  {"v", v},
+                  {"program", "batten " BATTEN_VERSION}};
+  return record;
+}
+
+void write_flow_picture(const FlowOutputs& outputs, const GridSamples& grid) {
+  PictureOptions options;
+  options.view = PictureOptions::View::Map;
+  options.array = "speed";
+  options.x_name = outputs.input->names[0];
+  options.y_name = outputs.input->names[1];
+  options.value_name = "speed";
+  options.contours = false;
+  const bool has_lines = !outputs.streamlines.empty();
+  options.curves = has_lines ? outputs.streamlines : arrows_of(outputs.result->field);
+  options.heads = has_lines ? PictureOptions::Heads::Along : PictureOptions::Heads::End;
+  write_picture(outputs.arguments->picture, grid, {}, options);
+}
+
+}  // namespace
+
+std::vector<std::string> output_files(const FlowArguments& arguments) {
+  std::vector<std::string> files;
+  for (const std::string& file : {arguments.output, arguments.streamlines_out, arguments.picture, arguments.report}) {
+    if (!file.empty()) files.push_back(file);
+  }
+  return files;
+}
+
+void check_outputs(const FlowArguments& arguments) {
+  for (const std::string& file : output_files(arguments)) {
+    check_not_input(file, arguments.vectors);
+    if (!arguments.seeds.empty()) check_not_input(file, arguments.seeds);
+  }
+  check_output_name("-o", arguments.output, {".vti"});
+  check_output_name("--streamlines-out", arguments.streamlines_out, {".vtp"});
+  check_output_name("--picture", arguments.picture, {".png"});
+  check_output_name("--report", arguments.report, {".json"});
+}
+
+void write_outputs(const FlowOutputs& outputs, Progress& progress) {
+  const FlowArguments& arguments = *outputs.arguments;
+  const GridSamples grid = outputs.result->field.samples();
+  progress.show("write " + arguments.output);
+  write_image(arguments.output, grid, record_of(outputs));
+  if (!arguments.streamlines_out.empty()) write_curves(arguments.streamlines_out, outputs.streamlines);
+  if (arguments.picture.empty()) return;
+  progress.show("draw " + arguments.picture);
+  write_flow_picture(outputs, grid);
+}
+
+}  // namespace batten

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <batten/app/flow_streamlines.h>
+#include <batten/app/point_columns.h>
+#include <batten/app/table_source.h>
+#include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
+#include <batten/flows/streamlines.h>
+#include <batten/io/table.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace batten {
+
+FlowSeeds read_seeds(const FlowArguments& arguments, const Rectangle& region) {
+  if (arguments.seeds.empty()) return {};
+  Table table = read_table(arguments.seeds, {point_columns(arguments.seeds), false});
+  FlowSeeds seeds{std::move(table.columns[0]), std::move(table.columns[1]), std::move(table.lines)};
+  for (std::size_t i = 0; i < seeds.x.size(); ++i) {
+    if (region.contains(seeds.x[i], seeds.y[i])) continue;
+    throw InvalidInput("--seeds: " + source_name(arguments.seeds) + ": the seed of " +
+                       place_text(seeds.lines[i], seeds.x[i], seeds.y[i]) + " lies outside the region (x from " +
+                       number_text(region.x.lower(), 6) + " to " + number_text(region.x.upper(), 6) + ", y from " +
+                       number_text(region.y.lower(), 6) + " to " + number_text(region.y.upper(), 6) + ")");
+  }
+  return seeds;
+}
+
+std::vector<CurveSamples> streamlines_of(const FlowArguments& arguments, const FlowSeeds& seeds,
+                                         const FlowField& field) {
+  if (seeds.x.empty() && !arguments.streamlines) return {};
+  const StreamlineTracer tracer(field);
+  std::vector<Streamline> lines(seeds.x.size());
+  const auto count = static_cast<std::ptrdiff_t>(lines.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    lines[k] = tracer.trace(seeds.x[k], seeds.y[k]);
+  }
+  if (arguments.streamlines) lines = tracer.evenly_spaced(*arguments.streamlines);
+  std::vector<CurveSamples> curves;
+  for (const Streamline& line : lines) curves.push_back(samples_of(field, line));
+  return curves;
+}
+
+std::vector<CurveSamples> arrows_of(const FlowField& field) {
+  constexpr int along_longer_side = 26;
+  constexpr double longest = 0.95, shortest = 0.04;  // of their distance, and of the longest
+  const auto &ix = field.region().x, &iy = field.region().y;
+  const double apart = std::max(ix.length(), iy.length()) / along_longer_side;
+  const int nx = std::max(1, static_cast<int>(ix.length() / apart));
+  const int ny = std::max(1, static_cast<int>(iy.length() / apart));
+  std::vector<CurveSamples> arrows;
+  double fastest = 0;
+  for (int k = 0; k < nx * ny; ++k) {
+    const double x = ix.lower() + ix.length() * (k % nx + 0.5) / nx, y = iy.lower() + iy.length() * (k / nx + 0.5) / ny;
+    const auto [u, v] = field.velocity(x, y);
+    fastest = std::max(fastest, std::hypot(u, v));
+    arrows.push_back({.x = {x, u}, .y = {y, v}});
+  }
+  const double scale = fastest > 0 ? longest * apart / fastest : 0;
+  std::erase_if(arrows, [&](const CurveSamples& a) { return !(std::hypot(a.x[1], a.y[1]) > shortest * fastest); });
+  for (CurveSamples& a : arrows) {
+    const double dx = scale * a.x[1], dy = scale * a.y[1];
+    a.x = {a.x[0] - dx / 2, a.x[0] + dx / 2};
+    a.y = {a.y[0] - dy / 2, a.y[0] + dy / 2};
+  }
+  return arrows;
+}
+
+}  // namespace batten
