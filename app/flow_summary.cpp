@@ -39,8 +39,11 @@ std::string cost_line(const FlowAccount& account) {
 
 std::string summary_of(const FlowAccount& account) {
   const FlowField& field = account.result->field;
+  std::size_t unknowns = 0;
+  for (const auto* part : {&field.stream(), &field.potential()})
+    if (*part) unknowns += (*part)->coefficients().size();
   return counts_text(account.arguments->vectors, account.counts(), "vectors") + '\n' +
-         grid_text(field.region(), field.degree()) + '\n' + field_line(account) + '\n' + residual_line(account) + '\n' +
+         grid_text(field.region(), field.degree(), unknowns) + '\n' + field_line(account) + '\n' + residual_line(account) + '\n' +
          cost_line(account) + '\n';
 }
 
