@@ -19,7 +19,7 @@ void for_making_options(Arguments& a, Visit&& visit) {
   visit("--offset", a.offset, "exponent of the first coefficient (x,y in the plane)", "E");
   visit("--arity", a.arity, "2 or 3 new points for an old one", "A");
   visit("--method", a.method, "polyharmonic: exact, laurent, jacobi, lp (default) or lsq", "NAME");
-  visit("--size", a.size, "polyharmonic: odd number N of N x N coefficients, default 9", "N");
+  visit("--size", a.size, "polyharmonic, flows: odd number N of N x N coefficients, default 9", "N");
   visit("--precision", a.precision, "polyharmonic: degree of polynomials kept", "D");
   visit("--zeros", a.zeros, "lp, lsq: zeros at (1 or -1, 1 or -1) and their orders", "\"X,Y,K;...\"");
   visit("--symmetry", a.symmetry, "lp, lsq: square (default), rectangle, point or none", "NAME");

@@ -18,6 +18,8 @@ struct SubdivideArguments {
   std::string boundary;
   std::string rules = "exact";  ///< of bounded schemes
   std::optional<double> tension;
+  // Flows.
+  std::string kind, samples;
   // Curves.
   std::vector<std::string> columns;  ///< of the points; empty: x, y, z or the first ones
   std::string parameter = "uniform";

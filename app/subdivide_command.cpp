@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/bounded_subdivision.h>
 #include <batten/app/curve_subdivision.h>
+#include <batten/app/flow_subdivision.h>
 #include <batten/app/grid_subdivision.h>
 #include <batten/app/output_names.h>
 #include <batten/app/scheme_catalogue.h>
@@ -43,63 +44,96 @@ At the sides a grid of other schemes ends as --boundary says:
   zero      zeros outside
   periodic  the grid again
 
+For flows there are perfect-flow (no rotation but at the given vertices) and
+slow-flow (creeping, smooth). The table has columns x, y, u, v and a row for each
+vertex of a grid of square cells, in any order.
+  --samples vertices  (default) u and v at (x, y); walls take the mean of their ends
+            walls     u on the wall from (x, y) upward, v on that to the right
+  --kind commuting    (default) a cell's divergence passes to its four children:
+                      a field without divergence keeps none, to rounding
+         book         rotation as the law asks, divergence small
+  --boundary extend   (default) nearest velocities outside; open and zero as above
+Written are velocity, divergence, rotation (u_y - v_x) and speed at vertices.
+
 Examples:
   batten subdivide examples/data/hand.csv --scheme natural-cubic --interpolate \
     --levels 4 -o hand.vtp --picture hand.png
   batten subdivide examples/data/plate.csv --scheme polyharmonic --order 2 \
     --method lp --size 9 --precision 3 --levels 3 -o plate.vti --picture plate.png
   batten subdivide examples/data/plate.csv --scheme bounded-harmonic --levels 2 -o h.vti
-  batten subdivide examples/data/plate.csv --scheme bspline --order 4 --levels 3 -o plate.csv)";
+  batten subdivide examples/data/plate.csv --scheme bspline --order 4 --levels 3 -o plate.csv
+  batten subdivide examples/data/eddies.csv --scheme slow-flow --samples walls \
+    --levels 4 -o eddies.vti --picture eddies.png --view map)";
 
 void run_subdivide(const SubdivideArguments& arguments) {
   for (const std::string& file : {arguments.output, arguments.picture}) check_not_input(file, arguments.input);
   set_thread_count(arguments.threads);
+  if (is_flow_scheme(arguments.scheme.name)) return subdivide_flow(arguments);
+  refuse_flow_options(arguments);
   if (is_bounded_scheme(arguments.scheme.name)) return subdivide_bounded(arguments);
   is_curve(arguments) ? subdivide_curve(arguments) : subdivide_grid(arguments);
+}
+
+void add_flow_options(CLI::App& parser, SubdivideArguments& a) {
+  parser.add_option("--kind", a.kind, "of flows: commuting (default) or book")
+      ->option_text("NAME")
+      ->check(CLI::IsMember({"commuting", "book"}));
+  parser.add_option("--samples", a.samples, "of flows: at vertices (default) or on walls")
+      ->option_text("WHERE")
+      ->check(CLI::IsMember({"vertices", "walls"}));
+}
+
+void add_curve_options(CLI::App& parser, SubdivideArguments& a) {
+  parser.add_option("--columns", a.columns, "of the points; default: x, y, z, or the first two")
+      ->option_text("COL ...")
+      ->expected(1, 3);
+  parser.add_option("--parameter", a.parameter, "uniform (default), centripetal, chord, or a column")
+      ->option_text("NAME");
+  parser.add_flag("--closed", a.closed, "join the last point of a curve to its first");
+  parser.add_flag("--interpolate", a.interpolate, "natural-cubic through the points");
+  parser.add_option("--smoothing", a.smoothing, "natural-cubic near the points")
+      ->option_text("L")
+      ->check(CLI::NonNegativeNumber);
+  parser.add_option("--tolerance", a.tolerance, "natural-cubic so near to each point")
+      ->option_text("E")
+      ->check(CLI::PositiveNumber);
+  parser.add_flag("--limit", a.limit, "points of the limit curve instead of its control polygon");
+  parser.add_option("--show", a.show, "what is written and drawn of natural-cubic")
+      ->option_text("WHAT")
+      ->check(CLI::IsMember({"result", "rounds", "forces", "multiresolution"}));
 }
 
 }  // namespace
 
 Subcommand add_subdivide_command(CLI::App& app) {
-  CLI::App* const parser = app.add_subcommand("subdivide", "Refine a curve or a control grid");
+  CLI::App* const parser = app.add_subcommand("subdivide", "Refine a curve, a control grid or a flow");
   const auto a = std::make_shared<SubdivideArguments>();
-  parser->add_option("INPUT", a->input, "table of points with a header, or matrix of numbers; - reads standard input")
+  parser
+      ->add_option("INPUT", a->input,
+                   "table of points or of a flow with a header, or matrix of numbers; - reads standard input")
       ->required()
       ->option_text(" ");
   parser
       ->add_option(
           "--scheme", a->scheme.name,
-          "one of " + scheme_names() + ", natural-cubic, bounded-harmonic, bounded-thin-plate, bounded-tension")
+          "one of " + scheme_names() +
+              ", natural-cubic, bounded-harmonic, bounded-thin-plate, bounded-tension, perfect-flow, slow-flow")
       ->required()
       ->option_text("NAME");
   add_making_options(*parser, a->scheme);
   parser->add_option("--levels", a->levels, "how often, default 3")->option_text("K")->check(CLI::Range(0, 12));
-  parser->add_option("--boundary", a->boundary, "default: reflect where the mask is symmetric, else open")
+  parser
+      ->add_option("--boundary", a->boundary, "default: reflect where the mask is symmetric, else open; flows: extend")
       ->option_text("NAME")
-      ->check(CLI::IsMember({"reflect", "open", "zero", "periodic"}));
+      ->check(CLI::IsMember({"reflect", "open", "zero", "periodic", "extend"}));
   parser->add_option("--rules", a->rules, "of bounded schemes: exact (default) or padded")
       ->option_text("WHICH")
       ->check(CLI::IsMember({"exact", "padded"}));
   parser->add_option("--tension", a->tension, "of bounded-tension: 0 thin plate, 1 membrane, default 0.9")
       ->option_text("T")
       ->check(CLI::Range(0., 1.));
-  parser->add_option("--columns", a->columns, "of the points; default: x, y, z, or the first two")
-      ->option_text("COL ...")
-      ->expected(1, 3);
-  parser->add_option("--parameter", a->parameter, "uniform (default), centripetal, chord, or a column")
-      ->option_text("NAME");
-  parser->add_flag("--closed", a->closed, "join the last point of a curve to its first");
-  parser->add_flag("--interpolate", a->interpolate, "natural-cubic through the points");
-  parser->add_option("--smoothing", a->smoothing, "natural-cubic near the points")
-      ->option_text("L")
-      ->check(CLI::NonNegativeNumber);
-  parser->add_option("--tolerance", a->tolerance, "natural-cubic so near to each point")
-      ->option_text("E")
-      ->check(CLI::PositiveNumber);
-  parser->add_flag("--limit", a->limit, "points of the limit curve instead of its control polygon");
-  parser->add_option("--show", a->show, "what is written and drawn of natural-cubic")
-      ->option_text("WHAT")
-      ->check(CLI::IsMember({"result", "rounds", "forces", "multiresolution"}));
+  add_flow_options(*parser, *a);
+  add_curve_options(*parser, *a);
   parser->add_option("-o,--output", a->output, "grids OUT.vti, curves OUT.vtp, both OUT.csv")
       ->required()
       ->option_text("OUT");
