@@ -43,8 +43,8 @@ std::string summary_of(const FlowAccount& account) {
   for (const auto* part : {&field.stream(), &field.potential()})
     if (*part) unknowns += (*part)->coefficients().size();
   return counts_text(account.arguments->vectors, account.counts(), "vectors") + '\n' +
-         grid_text(field.region(), field.degree(), unknowns) + '\n' + field_line(account) + '\n' + residual_line(account) + '\n' +
-         cost_line(account) + '\n';
+         grid_text(field.region(), field.degree(), unknowns) + '\n' + field_line(account) + '\n' +
+         residual_line(account) + '\n' + cost_line(account) + '\n';
 }
 
 }  // namespace batten
