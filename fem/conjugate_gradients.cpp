@@ -173,8 +173,8 @@ double predict(const Multigrid& system, std::span<const double> b, std::span<dou
 }
 
 // A V-cycle that leaves more of the error than `slow` converges better within conjugate gradients; where one leaves
-// more than `standstill` although the one before was not slow, what remains is rounding.
-constexpr double slow = 0.25, standstill = 0.9;
+// more than `standstill` of a delicate energy's although the one before was not slow, what remains is rounding.
+constexpr double slow = 0.25, standstill = 0.5;
 
 struct CyclesResult {
   IterationResult spent;
@@ -183,8 +183,10 @@ struct CyclesResult {
 
 /// V-cycles one after another, c += B (b - A c), each of which also measures the error that it finds. They need neither
 /// the vectors of conjugate gradients nor the time to move them. Stops where they converge slowly.
-CyclesResult repeat_cycles(const StreamedCycle& cycle, std::span<const double> b, std::span<double> c,
+CyclesResult repeat_cycles(const Multigrid& system, std::span<const double> b, std::span<double> c,
                            const IterationLimits& limits, double scale) {
+  const auto& cycle = *system.streamed();
+  const bool is_delicate = system.hierarchy().finest().energy.is_delicate();
   CyclesResult result;
   auto& [iterations, accuracy] = result.spent;
   double before = 0, ratio = 0;
@@ -194,7 +196,7 @@ CyclesResult repeat_cycles(const StreamedCycle& cycle, std::span<const double> b
     before = error;
     ++iterations;
     accuracy = scale > 0 ? error / scale : 0;
-    result.is_slow = ratio > slow && !(ratio > standstill && last_ratio < slow);
+    result.is_slow = ratio > slow && !(is_delicate && ratio > standstill && last_ratio < slow);
   } while (accuracy > limits.accuracy && ratio <= slow && iterations < limits.most_iterations);
   return result;
 }
@@ -211,7 +213,7 @@ IterationResult solve_streamed(const Multigrid& system, std::span<const double> 
   } else if (scale == 0) {
     scale = energy_size(system, b);
   }
-  auto [result, is_slow] = repeat_cycles(cycle, b, c, limits, scale);
+  auto [result, is_slow] = repeat_cycles(system, b, c, limits, scale);
   if (is_slow && result.accuracy > limits.accuracy && result.iterations < limits.most_iterations) {
     limits.most_iterations -= result.iterations;
     const auto more = iterate(LevelSystem{system, 0}, b, c, limits, scale);
