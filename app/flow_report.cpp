@@ -49,7 +49,9 @@ Json report_json(const FlowAccount& account) {
   json["region"] = {region.x.lower(), region.x.upper(), region.y.lower(), region.y.upper()};
   json["model"] = arguments.model;
   if (model_of(arguments) == FlowModel::General) json["ratio"] = arguments.ratio.value_or(1);
+  const Smoothing smoothing = smoothing_of(arguments.smoothing);
   json["smoothing"] = tolerance ? "tolerance" : arguments.smoothing.text;
+  if (smoothing.kind == Smoothing::Kind::Fixed) json["smoothing"] = smoothing.value;
   json["tolerance"] = tolerance ? Json(*tolerance) : Json();
   json["tolerance_reached"] = tolerance ? Json(account.result->tolerance_reached) : Json();
   add_result(*account.result, json);

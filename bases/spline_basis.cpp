@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -210,7 +211,7 @@ SplineBasis::Local SplineBasis::at(double t, int order) const {
       evaluate_piece<6>(c, u, local.values.data());
       break;
   }
-  if (!ends_.are_free() && !is_periodic()) constrain(local);
+  if (!is_plain()) constrain(local);
   return local;
 }
 
@@ -282,8 +283,18 @@ BandedRows SplineBasis::inner_products(int r, int s) const {
   if (brief.rows == 0) brief = short_inner_products(derived_->breakpoints, derived_->ends, degree_, r, s);
   auto whole = lengthened(brief, size(), size(), 1, 1);
   whole.scale *= std::pow(unit(), 1 - r - s);
-  if (ends_.are_free() || is_periodic()) return whole;
+  if (is_plain()) return whole;
   return with_constrained_rows(with_constrained_columns(whole, ends_), ends_);
+}
+
+std::vector<double> SplineBasis::integrals() const {
+  const auto mass = inner_products(0);
+  std::vector<double> result;
+  for (int i = 0; i < mass.rows; ++i) {
+    const auto row = mass.row(i);
+    result.push_back(mass.scale * std::accumulate(row.begin(), row.end(), 0.));
+  }
+  return result;
 }
 
 BandedRows SplineBasis::refinement(const SplineBasis& finer) const {
@@ -348,7 +359,7 @@ BandedRows SplineBasis::samples(int r) const {
   }
   trim(exact);
   const auto whole = lengthened(to_doubles(exact), interval_.cells() + 1, size(), 1, 1);
-  return ends_.are_free() || is_periodic() ? whole : with_constrained_columns(whole, ends_);
+  return is_plain() ? whole : with_constrained_columns(whole, ends_);
 }
 
 BandedRows SplineBasis::differences() const {
@@ -365,7 +376,7 @@ BandedRows SplineBasis::differences() const {
     exact.entries.push_back({-slope, slope});
   }
   const auto whole = lengthened(to_doubles(exact), size() - 1, size(), 1, 1);
-  return ends_.are_free() || is_periodic() ? whole : with_constrained_columns(whole, ends_);
+  return is_plain() ? whole : with_constrained_columns(whole, ends_);
 }
 
 }  // namespace batten

@@ -55,6 +55,8 @@ public:
   BandedRows inner_products(int r) const { return inner_products(r, r); }
   /// ∫ N_i^(r) N_j^(s) dt, rows i.
   BandedRows inner_products(int r, int s) const;
+  /// ∫ N_i dt. Of a basis without conditions, whose functions sum to 1.
+  std::vector<double> integrals() const;
   /// R with N_j = Σ_i R_ij N̂_i, N̂ the basis of `finer`: finer.size() x size(). Its interior rows are the B-spline
   /// subdivision rules.
   BandedRows refinement(const SplineBasis& finer) const;
@@ -78,6 +80,8 @@ public:
 private:
   struct Derived;
 
+  /// True if the functions are B-splines themselves, not sums that meet conditions.
+  bool is_plain() const { return ends_.are_free() || is_periodic(); }
   int piece_of(int cell) const;
   int unit() const;
   void constrain(Local& local) const;

@@ -33,10 +33,6 @@ void clear_row(BandedRows& m, int i) {
   for (int k = 0; k < m.width; ++k) m.weights[static_cast<std::size_t>(i * m.width + k)] = 0;
 }
 
-}  // namespace
-
-namespace {
-
 /// The identity with room for `reach` entries on both sides of the diagonal.
 BandedRows wide_identity(int size, int reach) {
   BandedRows one;

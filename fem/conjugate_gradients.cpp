@@ -63,11 +63,6 @@ struct LevelSystem {
     system.precondition(r, z, level);
     return std::max(0., dot(r, z));
   }
-  /// r = b - A c
-  void residual(std::span<const double> b, std::span<const double> c, Vector& r) const {
-    apply(c, r);
-    combine(1, b, -1, r);
-  }
 };
 
 /// A x = b of a system that is known by its operator and preconditioner.
@@ -81,11 +76,14 @@ struct OpenSystem {
     system.precondition(r, z);
     return std::max(0., dot(r, z));
   }
-  void residual(std::span<const double> b, std::span<const double> c, Vector& r) const {
-    apply(c, r);
-    combine(1, b, -1, r);
-  }
 };
+
+/// r = b - A c
+template <typename System>
+void residual(const System& system, std::span<const double> b, std::span<const double> c, Vector& r) {
+  system.apply(c, r);
+  combine(1, b, -1, r);
+}
 
 /// What conjugate gradients carry from one run to the next besides their vectors, the residual r and z = B r.
 struct State {
@@ -114,7 +112,7 @@ bool run(const System& system, std::span<const double> b, std::span<double> c, d
     const bool was_true = is_true;
     if (!guessed && std::sqrt(rz) * factor <= goal) {
       guessed = true;
-      system.residual(b, c, q);
+      residual(system, b, c, q);
       is_true = distance(q, r) <= 0.1 * std::sqrt(dot(r, r));
       if (is_true) std::swap(q, r);
     }
@@ -137,13 +135,13 @@ IterationResult iterate(const System& system, std::span<const double> b, std::sp
   auto& [rz, iterations] = state;
   r.assign(b.begin(), b.end());
   q.resize(b.size());
-  if (!is_zero(c)) system.residual(b, c, r);
+  if (!is_zero(c)) residual(system, b, c, r);
   rz = system.precondition(r, z);
   if (scale == 0) scale = std::sqrt(rz);
   const auto reached = [&] { return scale > 0 ? std::sqrt(state.rz) / scale : 0; };
   for (int restarts = 0; restarts < 2 && reached() > limits.accuracy; ++restarts) {
     if (!run(system, b, c, limits.accuracy * scale, limits.most_iterations, state)) {
-      system.residual(b, c, r);
+      residual(system, b, c, r);
       rz = system.precondition(r, z);
     }
     if (reached() <= 10 * limits.accuracy || iterations >= limits.most_iterations) break;

@@ -10,14 +10,6 @@ namespace {
 
 using Vector = std::vector<double>;
 
-/// The coefficients of the derivative of a spline: slope[i] (c_{i+1} - c_i).
-Vector slopes(const SplineBasis& basis) {
-  const BandedRows rows = basis.differences();
-  Vector result;
-  for (int i = 0; i < rows.rows; ++i) result.push_back(rows(i, i + 1));
-  return result;
-}
-
 struct Grid {
   int columns = 0, rows = 0;
   std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
@@ -83,8 +75,6 @@ Vector y_differences_transposed(const Vector& g, Grid from, const Vector& slope)
   return result;
 }
 
-SplineBasis lowered(const SplineBasis& basis, int order) { return {basis.interval(), basis.degree() - order}; }
-
 TensorSum mass(const SplineSpace& space, int a, int b) {
   return TensorSum({{1., lowered(space.y, b).inner_products(0), lowered(space.x, a).inner_products(0)}});
 }
@@ -92,19 +82,30 @@ TensorSum mass(const SplineSpace& space, int a, int b) {
 /// D^T g for g of the shape that `differentiated` gives.
 Vector differentiated_transposed(const SplineSpace& space, Vector g, int a, int b) {
   for (int k = b - 1; k >= 0; --k)
-    g = y_differences_transposed(g, {space.x.size() - a, space.y.size() - k - 1}, slopes(lowered(space.y, k)));
+    g = y_differences_transposed(g, {space.x.size() - a, space.y.size() - k - 1},
+                                 derivative_slopes(lowered(space.y, k)));
   for (int k = a - 1; k >= 0; --k)
-    g = x_differences_transposed(g, {space.x.size() - k - 1, space.y.size()}, slopes(lowered(space.x, k)));
+    g = x_differences_transposed(g, {space.x.size() - k - 1, space.y.size()}, derivative_slopes(lowered(space.x, k)));
   return g;
 }
 
 }  // namespace
 
+SplineBasis lowered(const SplineBasis& basis, int order) { return {basis.interval(), basis.degree() - order}; }
+
+Vector derivative_slopes(const SplineBasis& basis) {
+  const BandedRows rows = basis.differences();
+  Vector result;
+  for (int i = 0; i < rows.rows; ++i) result.push_back(rows(i, i + 1));
+  return result;
+}
+
 std::vector<double> differentiated(const SplineSpace& space, std::span<const double> coefficients, int a, int b) {
   Vector c(coefficients.begin(), coefficients.end());
-  for (int k = 0; k < a; ++k) c = x_differences(c, {space.x.size() - k, space.y.size()}, slopes(lowered(space.x, k)));
+  for (int k = 0; k < a; ++k)
+    c = x_differences(c, {space.x.size() - k, space.y.size()}, derivative_slopes(lowered(space.x, k)));
   for (int k = 0; k < b; ++k)
-    c = y_differences(c, {space.x.size() - a, space.y.size() - k}, slopes(lowered(space.y, k)));
+    c = y_differences(c, {space.x.size() - a, space.y.size() - k}, derivative_slopes(lowered(space.y, k)));
   return c;
 }
 

@@ -9,6 +9,12 @@
 
 namespace batten {
 
+/// The clamped splines that hold the derivatives of the given order, `order` degrees lower.
+SplineBasis lowered(const SplineBasis& basis, int order);
+/// The derivative of the spline with coefficients c has the coefficients slope[i] (c_{i+1} - c_i) in `lowered`, per
+/// cell of the finest level. Of a basis without conditions.
+std::vector<double> derivative_slopes(const SplineBasis& basis);
+
 /// ∂_x^a ∂_y^b of a spline without conditions at its ends, as coefficients in clamped B-splines of lower degree, in
 /// cells of the finest level: (nx - a) x (ny - b) numbers. Neighbouring coefficients are subtracted before anything is
 /// multiplied, which loses nothing where they are close.

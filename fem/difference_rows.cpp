@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/constant_width.h>
+#include <batten/fem/difference_form.h>
 #include <batten/fem/difference_rows.h>
 #include <batten/fem/spline_space.h>
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
+#include <utility>
 
 // Kernels are compiled for the instruction sets of the x86-64 levels and chosen at start; other processors get the
 // plain ones.
@@ -14,16 +16,6 @@ namespace {
 
 constexpr int piece_columns = 512, buffer_columns = piece_columns + 16, most_rows = 11;
 using Buffer = std::array<double, buffer_columns>;
-
-SplineBasis lowered(const SplineBasis& basis, int order) { return {basis.interval(), basis.degree() - order}; }
-
-/// The slopes of differences() of a basis without conditions: slope[i] (c_{i+1} - c_i).
-std::vector<double> slopes_of(const SplineBasis& basis) {
-  const BandedRows rows = basis.differences();
-  std::vector<double> result;
-  for (int i = 0; i < rows.rows; ++i) result.push_back(rows(i, i + 1));
-  return result;
-}
 
 /// D^T G for one difference: row i is slope_{i-1} G_{i-1} - slope_i G_i.
 BandedRows differences_transposed(const BandedRows& g, const std::vector<double>& slopes) {
@@ -48,9 +40,9 @@ BandedRows differences_transposed(const BandedRows& g, const std::vector<double>
 
 DifferenceRows::Direction direction(const SplineBasis& basis, int order) {
   DifferenceRows::Direction result;
-  for (int k = 0; k < order; ++k) result.slopes.push_back(slopes_of(lowered(basis, k)));
+  for (int k = 0; k < order; ++k) result.slopes.push_back(derivative_slopes(lowered(basis, k)));
   result.weights = lowered(basis, order).inner_products(0);
-  result.weights.scale = 1;
+  result.scale = std::exchange(result.weights.scale, 1);
   for (int k = order - 1; k >= 0; --k)
     result.weights = differences_transposed(result.weights, result.slopes[static_cast<std::size_t>(k)]);
   return result;
@@ -60,18 +52,6 @@ DifferenceRows::Direction direction(const SplineBasis& basis, int order) {
 [[gnu::always_inline]] inline void difference(const double* slopes, int count, double* in) {
 #pragma omp simd
   for (int k = 0; k < count; ++k) in[k] = slopes[k] * (in[k + 1] - in[k]);
-}
-
-/// rows[q][i] for q < count becomes slopes[q] (rows[q + 1][i] - rows[q][i]).
-[[gnu::always_inline]] inline void difference_rows(const double* slopes, int count, int n,
-                                                   std::array<Buffer, most_rows>& rows) {
-  for (std::size_t q = 0; q < static_cast<std::size_t>(count); ++q) {
-    const double slope = slopes[q];
-    double* __restrict low = rows[q].data();
-    const double* __restrict high = rows[q + 1].data();
-#pragma omp simd
-    for (int i = 0; i < n; ++i) low[i] = slope * (high[i] - low[i]);
-  }
 }
 
 template <int width>
@@ -99,48 +79,27 @@ template <int width>
   }
 }
 
-/// Calls work with the width, 1 to 11, as a constant.
-template <typename Work>
-[[gnu::always_inline]] inline void dispatch(int width, Work&& work) {
-  switch (width) {
-    case 1:
-      return work(std::integral_constant<int, 1>());
-    case 2:
-      return work(std::integral_constant<int, 2>());
-    case 3:
-      return work(std::integral_constant<int, 3>());
-    case 4:
-      return work(std::integral_constant<int, 4>());
-    case 5:
-      return work(std::integral_constant<int, 5>());
-    case 6:
-      return work(std::integral_constant<int, 6>());
-    case 7:
-      return work(std::integral_constant<int, 7>());
-    case 8:
-      return work(std::integral_constant<int, 8>());
-    case 9:
-      return work(std::integral_constant<int, 9>());
-    case 10:
-      return work(std::integral_constant<int, 10>());
-    default:
-      return work(std::integral_constant<int, 11>());
-  }
-}
-
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
 void combine_rows(const BandedRows& weights, int j, int n, const std::array<Buffer, most_rows>& rows, double* out) {
   const double* w = weights.weights.data() + static_cast<std::ptrdiff_t>(j) * weights.width;
-  dispatch(weights.width, [&](auto width) [[gnu::always_inline]] { combine<width>(w, n, rows, out); });
+  with_constant<1, most_rows>(weights.width,
+                              [&](auto width) [[gnu::always_inline]] { combine<width>(w, n, rows, out); });
 }
 
+/// rows[q][i] for q < count becomes slopes[q] (rows[q + 1][i] - rows[q][i]).
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void difference_all(const double* slopes, int count, int n, std::array<Buffer, most_rows>& rows) {
-  difference_rows(slopes, count, n, rows);
+void difference_rows(const double* slopes, int count, int n, std::array<Buffer, most_rows>& rows) {
+  for (std::size_t q = 0; q < static_cast<std::size_t>(count); ++q) {
+    const double slope = slopes[q];
+    double* __restrict low = rows[q].data();
+    const double* __restrict high = rows[q + 1].data();
+#pragma omp simd
+    for (int i = 0; i < n; ++i) low[i] = slope * (high[i] - low[i]);
+  }
 }
 
 struct Piece {
@@ -167,7 +126,7 @@ void add_columns(const DifferenceRows::Direction& x, double factor, const Piece&
     out[i - piece.from] += factor * sum;
   }
   if (begin < end)
-    dispatch(w.width, [&](auto width) [[gnu::always_inline]] {
+    with_constant<1, most_rows>(w.width, [&](auto width) [[gnu::always_inline]] {
       add_filtered<width>(factor, w.weights.data() + static_cast<std::ptrdiff_t>(begin) * width, end - begin,
                           g.data() + (w.first[static_cast<std::size_t>(begin)] - piece.first),
                           out + (begin - piece.from));
@@ -176,8 +135,7 @@ void add_columns(const DifferenceRows::Direction& x, double factor, const Piece&
 
 }  // namespace
 
-DifferenceRows::DifferenceRows(const Energy& energy, const SplineSpace& space)
-    : degree_(space.x.degree()), columns_(space.x.size()) {
+DifferenceRows::DifferenceRows(const Energy& energy, const SplineSpace& space) : columns_(space.x.size()) {
   int orders = 0;
   for (const auto& t : energy.terms()) orders = std::max({orders, t.x_order + 1, t.y_order + 1});
   for (int r = 0; r < orders; ++r) {
@@ -185,8 +143,7 @@ DifferenceRows::DifferenceRows(const Energy& energy, const SplineSpace& space)
     y_.push_back(direction(space.y, r));
   }
   for (const auto& t : energy.terms()) {
-    const double scale =
-        lowered(space.x, t.x_order).inner_products(0).scale * lowered(space.y, t.y_order).inner_products(0).scale;
+    const double scale = x_[static_cast<std::size_t>(t.x_order)].scale * y_[static_cast<std::size_t>(t.y_order)].scale;
     terms_.push_back({t.weight * space.cell_factor(t.x_order, t.y_order) * scale, t.x_order, t.y_order});
   }
   std::stable_sort(terms_.begin(), terms_.end(), [](const Term& a, const Term& b) { return a.y_order < b.y_order; });
@@ -208,7 +165,7 @@ void DifferenceRows::row(int j, const double* c, double* out) const {
       const auto& term = terms_[t];
       const auto& y = y_[static_cast<std::size_t>(term.y_order)];
       for (; order < term.y_order; ++order)
-        difference_all(y.slopes[static_cast<std::size_t>(order)].data() + first_row, --height, piece.inputs, rows);
+        difference_rows(y.slopes[static_cast<std::size_t>(order)].data() + first_row, --height, piece.inputs, rows);
       if (t == 0 || term.y_order != terms_[t - 1].y_order)
         combine_rows(y.weights, j, piece.inputs, rows, combined.data());
       std::copy_n(combined.data(), piece.inputs, g.data());

@@ -23,11 +23,12 @@ public:
   /// Row j of E c: as many numbers to `out` as there are columns. Allocates nothing; one thread.
   void row(int j, const double* c, double* out) const;
 
-  /// One direction and order r: `slopes[k]` of the k-th differences, k < r, and D^T M, rows by 2 degree + 1 - r
-  /// columns.
+  /// One direction and order r: `slopes[k]` of the k-th differences, k < r, and D^T M / scale, rows by
+  /// 2 degree + 1 - r columns.
   struct Direction {
     std::vector<std::vector<double>> slopes;
     BandedRows weights;
+    double scale = 1;
   };
 
 private:
@@ -35,7 +36,7 @@ private:
     double factor;
     int x_order, y_order;
   };
-  int degree_, columns_;
+  int columns_;
   std::vector<Term> terms_;       // by y_order
   std::vector<Direction> x_, y_;  // by the order
 };

@@ -24,7 +24,7 @@ Coarsening choose_coarsening(const SplineSpace& s) {
   const int least = s.size() > direct_size ? 2 : 2 * coarsest_cells;
   const auto can_halve = [&](const SplineBasis& b) {
     const int cells = b.interval().cells();
-    if (b.is_periodic()) return cells % 2 == 0 && cells / 2 > std::max(least / 2 - 1, 2 * b.degree());
+    if (b.is_periodic() && (cells % 2 != 0 || cells / 2 <= 2 * b.degree())) return false;
     return cells >= least && cells / 2 + b.degree() > b.size() - b.kept();
   };
   return {can_halve(s.x) && hx < 1.5 * hy, can_halve(s.y) && hy < 1.5 * hx};

@@ -37,9 +37,10 @@ public:
   }
 
   void add_constant(double q) {
-    const auto mx = integrals(x_), my = integrals(y_);
+    const auto mx = x_.integrals(), my = y_.integrals();
+    const double cell = region_.x.finest_cell_length() * region_.y.finest_cell_length();
     for (std::size_t j = 0; j < my.size(); ++j)
-      for (std::size_t i = 0; i < mx.size(); ++i) b_[j * mx.size() + i] += q * my[j] * mx[i];
+      for (std::size_t i = 0; i < mx.size(); ++i) b_[j * mx.size() + i] += q * cell * my[j] * mx[i];
   }
 
   void add_function(const Field& q);
@@ -47,18 +48,6 @@ public:
   void add_patch(const Loads::Patch& patch);
 
 private:
-  /// ∫ N_i, from ∫ N_i N_j and Σ N_j = 1.
-  static std::vector<double> integrals(const SplineBasis& basis) {
-    const auto mass = basis.inner_products(0);
-    const double unit = basis.interval().finest_cell_length();
-    std::vector<double> result;
-    for (int i = 0; i < mass.rows; ++i) {
-      double sum = 0;
-      for (double w : mass.row(i)) sum += w;
-      result.push_back(mass.scale * sum * unit);
-    }
-    return result;
-  }
   /// The ends of the pieces into which cells cut [from, to].
   static std::vector<double> cuts(const Interval& interval, double from, double to) {
     std::vector<double> result = {from};

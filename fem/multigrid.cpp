@@ -19,10 +19,6 @@ constexpr double largest_points_factor = 6e6;        // estimated entries of K
 constexpr double very_large_lambda = 1e3;
 constexpr double largest_predicted_stiffness = 1e8;
 
-}  // namespace
-
-namespace {
-
 /// Keeps rounding from adding up in a constant that no equation knows.
 void subtract_mean(std::vector<double>& v) {
   constexpr int row = 1024;
@@ -88,8 +84,8 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
   factor_coarsest();
   if (streams_) streamed_.emplace(*hierarchy_, degree_, lambda, *coarsest_);
   // by differences, rounding grows with the root of the stiffness only
-  const bool by_differences = !finest.level().energy.stencil() && hierarchy_->energy().order() > 2;
-  const double rounding = by_differences ? std::sqrt(finest.stiffness()) : finest.stiffness();
+  const double rounding =
+      finest.level().energy.is_by_differences() ? std::sqrt(finest.stiffness()) : finest.stiffness();
   can_predict_ = levels_.size() > 1 && !data_aware_ && rounding < largest_predicted_stiffness;
   null_projection_.reset();
   if (lambda > very_large_lambda)

@@ -15,7 +15,7 @@ namespace {
 std::vector<double> square_excess(const SplineBasis& basis, double length) {
   const auto& interval = basis.interval();
   const int d = basis.degree();
-  const double unit = interval.length() / interval.finest_cells() / length;
+  const double unit = interval.finest_cell_length() / length;
   std::vector<double> result;
   for (int i = 0; i < basis.size(); ++i) {
     double sum = 0, squares = 0;

@@ -40,6 +40,8 @@ public:
   void precise_row(int j, std::span<const double> c, double* out) const {
     by_differences_ ? by_differences_->row(j, c.data(), out) : row(j, c, out);
   }
+  /// True if precise_row goes by differences.
+  bool is_by_differences() const { return by_differences_.has_value(); }
   /// The same for some columns, where the rows of c need not lie one after another: c[q] is row first_row(j) + q, and
   /// out[0] belongs to column columns.begin. Of constant coefficients, on spaces that are not periodic.
   void row(int j, const double* const* c, ColumnRange columns, double* out) const;

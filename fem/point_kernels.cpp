@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/constant_width.h>
 #include <batten/fem/point_kernels.h>
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <type_traits>
 
 namespace batten {
 namespace {
@@ -80,23 +80,6 @@ template <std::size_t n>
     }
 }
 
-/// Calls work with the number of functions as a constant.
-template <typename Work>
-[[gnu::always_inline]] inline void dispatch(int functions, Work&& work) {
-  switch (functions) {
-    case 2:
-      return work(std::integral_constant<int, 2>());
-    case 3:
-      return work(std::integral_constant<int, 3>());
-    case 4:
-      return work(std::integral_constant<int, 4>());
-    case 5:
-      return work(std::integral_constant<int, 5>());
-    default:
-      return work(std::integral_constant<int, 6>());
-  }
-}
-
 constexpr RowRange all_rows = {0, std::numeric_limits<int>::max()};
 
 }  // namespace
@@ -105,7 +88,7 @@ constexpr RowRange all_rows = {0, std::numeric_limits<int>::max()};
 [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #endif
 void point_values(const PointGrid& grid, std::span<const PointRow> rows, const double* c, double* out) {
-  dispatch(grid.functions, [&](auto functions) [[gnu::always_inline]] {
+  with_constant<2, 6>(grid.functions, [&](auto functions) [[gnu::always_inline]] {
     for (std::size_t i = 0; i < rows.size(); ++i) out[i] = value<functions>(rows[i], grid.stride, c);
   });
 }
@@ -114,7 +97,7 @@ void point_values(const PointGrid& grid, std::span<const PointRow> rows, const d
 [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #endif
 void add_point_values(const PointGrid& grid, std::span<const PointRow> rows, const double* v, double* c) {
-  dispatch(grid.functions, [&](auto functions) [[gnu::always_inline]] {
+  with_constant<2, 6>(grid.functions, [&](auto functions) [[gnu::always_inline]] {
     for (std::size_t i = 0; i < rows.size(); ++i) add_within<functions>(rows[i], grid.stride, v[i], c, all_rows);
   });
 }
@@ -124,7 +107,7 @@ void add_point_values(const PointGrid& grid, std::span<const PointRow> rows, con
 #endif
 void add_point_products(const PointGrid& grid, std::span<const PointRow> rows, const double* w, double factor,
                         const double* c, double* out, RowRange within) {
-  dispatch(grid.functions, [&](auto functions) [[gnu::always_inline]] {
+  with_constant<2, 6>(grid.functions, [&](auto functions) [[gnu::always_inline]] {
     for (std::size_t i = 0; i < rows.size(); ++i)
       add_within<functions>(rows[i], grid.stride, factor * w[i] * value<functions>(rows[i], grid.stride, c), out,
                             within);
@@ -135,7 +118,7 @@ void add_point_products(const PointGrid& grid, std::span<const PointRow> rows, c
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
 void add_to_cell_sum(int functions, std::span<const PointRow> rows, std::span<const double> w, CellSum& sum) {
-  dispatch(functions, [&](auto n) [[gnu::always_inline]] {
+  with_constant<2, 6>(functions, [&](auto n) [[gnu::always_inline]] {
     for (std::size_t i = 0; i < rows.size(); ++i) add_products<n>(rows[i], w[i], sum.data());
   });
 }

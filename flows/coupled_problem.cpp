@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace batten {
 namespace {
@@ -109,7 +108,7 @@ double CoupledProblem::apply(std::span<const double> c, std::span<double> out) c
   }
   stream_.system().data().add_adjoint(phi, first(out));
   potential_.system().data().add_adjoint(psi, second(out));
-  return std::inner_product(c.begin(), c.end(), out.begin(), 0.);
+  return dot(c, out);
 }
 
 /// R^T r on the coarsest level, of one of the two.
@@ -118,7 +117,7 @@ Eigen::VectorXd CoupledProblem::restricted(std::span<const double> r) const {
   const Hierarchy& h = stream_.hierarchy();
   for (int k = 0; k + 1 < h.size(); ++k) {
     coarse.resize(h[k + 1].space.size());
-    h[k].restriction->apply(fine, coarse);
+    h.restrict_from(k, fine, coarse);
     std::swap(fine, coarse);
   }
   return Eigen::Map<const Eigen::VectorXd>(fine.data(), static_cast<Eigen::Index>(fine.size()));

@@ -230,16 +230,8 @@ double inner_product(const FlowField& a, const FlowField& b) {
 }
 
 double mean_value(const Solution& p) {
-  const auto integrals = [&p](const Interval& interval) {  // of N_i, over the length
-    std::vector<double> result;
-    const auto knot = [&](int i) {
-      return interval.breakpoints()[static_cast<std::size_t>(std::clamp(i - p.degree(), 0, interval.cells()))];
-    };
-    for (int i = 0; i < interval.cells() + p.degree(); ++i)
-      result.push_back((knot(i + p.degree() + 1) - knot(i)) / ((p.degree() + 1.) * interval.finest_cells()));
-    return result;
-  };
-  const auto x = integrals(p.region().x), y = integrals(p.region().y);
+  const auto& [width, height] = p.region();
+  const auto x = SplineBasis(width, p.degree()).integrals(), y = SplineBasis(height, p.degree()).integrals();
   double sum = 0;
   const double* c = p.coefficients().data();
   for (double wy : y) {
@@ -247,7 +239,7 @@ double mean_value(const Solution& p) {
     for (double wx : x) line += wx * *c++;
     sum += wy * line;
   }
-  return sum;
+  return sum / (static_cast<double>(width.finest_cells()) * height.finest_cells());
 }
 
 }  // namespace batten
