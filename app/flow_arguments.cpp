@@ -48,6 +48,7 @@ void add_field(CLI::App& parser, FlowArguments& a) {
       ->option_text("D")
       ->check(CLI::IsMember({3, 4, 5}))
       ->group(group);
+  add_side_options(parser, a.sides, group);
   add_smoothing_options(parser, a.smoothing, group);
 }
 
@@ -100,6 +101,12 @@ void check_arguments(const FlowArguments& arguments) {
     throw UsageError(std::string(arguments.streamlines ? "--streamlines" : "--seeds") +
                      ": say what for, with --streamlines-out OUT.vtp or --picture OUT.png");
   check_arguments(arguments.grid);
+  const FlowSides sides = sides_of(arguments.sides);
+  if (model == FlowModel::General && !sides.are_free())
+    throw UsageError(
+        "--model general has free sides; walls and periodic sides belong to smooth, slow and irrotational");
+  if (model == FlowModel::Irrotational && arguments.sides.no_slip != "none")
+    throw UsageError("--no-slip belongs to the models smooth and slow, found --model irrotational");
   smoothing_of(arguments.smoothing);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/app/flow_side_arguments.h>
 #include <batten/app/grid_arguments.h>
 #include <batten/app/run_arguments.h>
 #include <batten/app/smoothing_arguments.h>
@@ -23,6 +24,7 @@ struct FlowArguments {
   std::string model = "smooth";
   std::optional<double> ratio;
   int degree = 3;
+  FlowSideArguments sides;
   SmoothingArguments smoothing;
   GridArguments grid;
   std::optional<int> streamlines;

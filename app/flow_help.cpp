@@ -8,7 +8,7 @@ The field (u, v) is the one on the grid that minimises
 
   sum_i w_i |(u,v)(x_i,y_i) - (u_i,v_i)|^2 / (2 sum_i w_i)  +  LAMBDA E
 
-with free sides. psi and phi are B-splines, E an integral over the region:
+psi and phi are B-splines, E an integral over the region:
 
   smooth        u = psi_y, v = -psi_x    third derivatives of psi
   slow          u = psi_y, v = -psi_x    second derivatives of psi
@@ -23,11 +23,16 @@ general for these.
 --smoothing auto chooses LAMBDA by generalised cross-validation, none comes as
 close to the vectors as the grid allows. --tolerance E keeps u and v within E.
 
+Sides are free unless --walls, --no-slip or --periodic say more. psi is constant
+on walls that are connected; the flux between two that are not, and the mean flow
+along a periodic direction, are found by the fit and reported.
+
 --streamlines N traces N lines of the flow, each through the place farthest from
 those before, to the sides, points at rest or ten longer sides away.
 
 Examples:
   batten flow examples/data/wind.csv --x x --y y --u u --v v --model general --smoothing 1e-7 --cells 48 48 -o wind.vti --picture wind.png
+  batten flow examples/data/channel.csv --x x --y y --u u --v v --region 0 3 0 1 --no-slip bottom,top --cells 96 32 -o channel.vti --picture channel.png
   batten flow examples/data/wind.csv --x x --y y --u u --v v --smoothing 1e-7 --cells 64 64 -o rotation.vti --streamlines 60 --streamlines-out lines.vtp --picture lines.png)";
 
 }  // namespace batten

@@ -29,6 +29,10 @@ void add_result(const FlowResult& result, Json& json) {
   json["effective_degrees"] = result.effective_degrees ? Json(*result.effective_degrees) : Json();
   json["rms_residual"] = result.rms_residual;
   json["largest_divergence"] = result.largest_divergence;
+  const auto found = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+  json["flux"] = found(result.flux);
+  json["mean_u"] = found(result.mean_u);
+  json["mean_v"] = found(result.mean_v);
   json["iterations"] = result.iterations;
   json["search_iterations"] = result.search_iterations;
   json["accuracy"] = result.accuracy;
@@ -49,6 +53,11 @@ Json report_json(const FlowAccount& account) {
   json["region"] = {region.x.lower(), region.x.upper(), region.y.lower(), region.y.upper()};
   json["model"] = arguments.model;
   if (model_of(arguments) == FlowModel::General) json["ratio"] = arguments.ratio.value_or(1);
+  const FlowSides sides = sides_of(arguments.sides);
+  json["sides"] = {{"left", side_name(sides.left)},
+                   {"right", side_name(sides.right)},
+                   {"bottom", side_name(sides.bottom)},
+                   {"top", side_name(sides.top)}};
   const Smoothing smoothing = smoothing_of(arguments.smoothing);
   json["smoothing"] = tolerance ? "tolerance" : arguments.smoothing.text;
   if (smoothing.kind == Smoothing::Kind::Fixed) json["smoothing"] = smoothing.value;

@@ -24,6 +24,18 @@ std::string residual_line(const FlowAccount& account) {
          number_text(result.largest_divergence, 2) + " of |grad v|";
 }
 
+/// What the fit has found of fluxes and mean flows, a line or nothing.
+std::string side_line(const FlowResult& result) {
+  std::string line;
+  const auto add = [&](const char* name, const std::optional<double>& value) {
+    if (value) line += (line.empty() ? "" : ", ") + std::string(name) + ' ' + number_text(*value);
+  };
+  add("flux between the walls", result.flux);
+  add("mean u", result.mean_u);
+  add("mean v", result.mean_v);
+  return line.empty() ? line : line + '\n';
+}
+
 std::string cost_line(const FlowAccount& account) {
   const FlowResult& result = *account.result;
   std::string line = std::to_string(result.iterations) + " V-cycles";
@@ -44,7 +56,7 @@ std::string summary_of(const FlowAccount& account) {
     if (*part) unknowns += (*part)->coefficients().size();
   return counts_text(account.arguments->vectors, account.counts(), "vectors") + '\n' +
          grid_text(field.region(), field.degree(), unknowns) + '\n' + field_line(account) + '\n' +
-         residual_line(account) + '\n' + cost_line(account) + '\n';
+         residual_line(account) + '\n' + side_line(*account.result) + cost_line(account) + '\n';
 }
 
 }  // namespace batten

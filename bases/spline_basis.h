@@ -42,6 +42,11 @@ public:
   /// How many functions are left.
   int kept() const;
   bool is_periodic() const { return ends_.is_periodic(); }
+  /// True unless a condition holds the value at an end at 0.
+  bool holds_constants() const {
+    const auto is_held = [](EndCondition c) { return c == EndCondition::Zero || c == EndCondition::Clamped; };
+    return !is_held(ends_.lower) && !is_held(ends_.upper);
+  }
   /// Of a periodic basis: the last functions, which are images of the first.
   int images() const { return is_periodic() ? degree_ : 0; }
   /// The function whose image i is, or i itself.

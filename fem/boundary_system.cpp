@@ -112,9 +112,7 @@ std::vector<double> BoundarySystem::restricted(std::span<const double> whole) co
 
 std::vector<double> BoundarySystem::whole(std::span<const double> v) const {
   std::vector<double> result(v.begin(), v.end());
-  const std::ptrdiff_t nx = space().x.size(), ny = space().y.size();
-  for (std::ptrdiff_t j = 0; j < ny; ++j) space().x.to_unconstrained(result.data() + j * nx, 1);
-  for (std::ptrdiff_t i = 0; i < nx; ++i) space().y.to_unconstrained(result.data() + i, nx);
+  to_unconstrained(space(), result);
   return result;
 }
 

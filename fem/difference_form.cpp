@@ -91,7 +91,9 @@ Vector differentiated_transposed(const SplineSpace& space, Vector g, int a, int 
 
 }  // namespace
 
-SplineBasis lowered(const SplineBasis& basis, int order) { return {basis.interval(), basis.degree() - order}; }
+SplineBasis lowered(const SplineBasis& basis, int order) {
+  return {basis.interval(), basis.degree() - order, basis.is_periodic() ? basis.ends() : EndConditions{}};
+}
 
 Vector derivative_slopes(const SplineBasis& basis) {
   const BandedRows rows = basis.differences();

@@ -9,7 +9,8 @@
 
 namespace batten {
 
-/// The clamped splines that hold the derivatives of the given order, `order` degrees lower.
+/// The splines that hold the derivatives of the given order, `order` degrees lower: periodic, or without conditions at
+/// their ends.
 SplineBasis lowered(const SplineBasis& basis, int order);
 /// The derivative of the spline with coefficients c has the coefficients slope[i] (c_{i+1} - c_i) in `lowered`, per
 /// cell of the finest level. Of a basis without conditions.

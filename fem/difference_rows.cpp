@@ -45,6 +45,7 @@ DifferenceRows::Direction direction(const SplineBasis& basis, int order) {
   result.scale = std::exchange(result.weights.scale, 1);
   for (int k = order - 1; k >= 0; --k)
     result.weights = differences_transposed(result.weights, result.slopes[static_cast<std::size_t>(k)]);
+  if (!basis.is_periodic()) result.weights = with_constrained_rows(std::move(result.weights), basis.ends());
   return result;
 }
 
@@ -102,16 +103,11 @@ void difference_rows(const double* slopes, int count, int n, std::array<Buffer, 
   }
 }
 
-struct Piece {
-  int from, to;       // columns of the result
-  int first, inputs;  // columns of c that they take in
-};
-
 /// out[i - from] += factor (row i of weights) (differences of g), g[0] at column piece.first.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void add_columns(const DifferenceRows::Direction& x, double factor, const Piece& piece, Buffer& g, double* out) {
+void add_columns(const DifferenceRows::Direction& x, double factor, const DifferenceRows::Piece& piece, Buffer& g, double* out) {
   int count = piece.inputs;
   for (const auto& slopes : x.slopes) difference(slopes.data() + piece.first, --count, g.data());
   const auto& w = x.weights;
@@ -135,7 +131,8 @@ void add_columns(const DifferenceRows::Direction& x, double factor, const Piece&
 
 }  // namespace
 
-DifferenceRows::DifferenceRows(const Energy& energy, const SplineSpace& space) : columns_(space.x.size()) {
+DifferenceRows::DifferenceRows(const Energy& energy, const SplineSpace& space)
+    : x_ends_(space.x.ends()), y_ends_(space.y.ends()), columns_(space.x.size()), rows_(space.y.size()) {
   int orders = 0;
   for (const auto& t : energy.terms()) orders = std::max({orders, t.x_order + 1, t.y_order + 1});
   for (int r = 0; r < orders; ++r) {
@@ -149,18 +146,28 @@ DifferenceRows::DifferenceRows(const Energy& energy, const SplineSpace& space) :
   std::stable_sort(terms_.begin(), terms_.end(), [](const Term& a, const Term& b) { return a.y_order < b.y_order; });
 }
 
+/// The columns of a row of c that a piece takes in. What conditions take away is 0 in c, but flat ends are those of
+/// splines whose two last coefficients are equal.
+void DifferenceRows::copy_row(int row, const Piece& piece, const double* c, double* to) const {
+  if (row == 0 && y_ends_.lower == EndCondition::Flat) row = 1;
+  if (row == rows_ - 1 && y_ends_.upper == EndCondition::Flat) row = rows_ - 2;
+  std::copy_n(c + static_cast<std::ptrdiff_t>(row) * columns_ + piece.first, piece.inputs, to);
+  if (piece.first == 0 && x_ends_.lower == EndCondition::Flat) to[0] = to[1];
+  if (piece.first + piece.inputs == columns_ && x_ends_.upper == EndCondition::Flat)
+    to[piece.inputs - 1] = to[piece.inputs - 2];
+}
+
 void DifferenceRows::row(int j, const double* c, double* out) const {
   std::array<Buffer, most_rows> rows;
   Buffer combined, g;
   std::fill_n(out, columns_, 0.);
   const auto& band = x_.front().weights;  // takes in all that the others do
-  const auto first_row = static_cast<std::ptrdiff_t>(y_.front().weights.first[static_cast<std::size_t>(j)]);
+  const int first_row = y_.front().weights.first[static_cast<std::size_t>(j)];
   for (int from = 0; from < columns_; from += piece_columns) {
     Piece piece{from, std::min(from + piece_columns, columns_), band.first[static_cast<std::size_t>(from)], 0};
     piece.inputs = band.first[static_cast<std::size_t>(piece.to - 1)] + band.width - piece.first;
     int height = y_.front().weights.width, order = 0;
-    for (int q = 0; q < height; ++q)
-      std::copy_n(c + (first_row + q) * columns_ + piece.first, piece.inputs, rows[static_cast<std::size_t>(q)].data());
+    for (int q = 0; q < height; ++q) copy_row(first_row + q, piece, c, rows[static_cast<std::size_t>(q)].data());
     for (std::size_t t = 0; t < terms_.size(); ++t) {
       const auto& term = terms_[t];
       const auto& y = y_[static_cast<std::size_t>(term.y_order)];

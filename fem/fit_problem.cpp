@@ -150,10 +150,11 @@ GridPoints in_order(const GridPoints& p, const std::vector<std::size_t>& order) 
 
 }  // namespace
 
-FitProblem::FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options)
+FitProblem::FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options, const SpaceEnds& ends)
     : data_(data),
       options_(options),
-      hierarchy_(options.energy, region, options.degree, {options.aspect}),
+      ends_(ends),
+      hierarchy_(options.energy, region, options.degree, {options.aspect}, ends),
       points_(to_cells(data, hierarchy_)),
       order_(cell_order(points_, hierarchy_.finest().space)),
       system_((points_ = in_order(points_, order_), hierarchy_), points_) {
@@ -174,8 +175,14 @@ std::vector<double> FitProblem::values(std::span<const double> c) const {
   return result;
 }
 
+std::vector<double> FitProblem::whole(std::span<const double> c) const {
+  std::vector<double> result(c.begin(), c.end());
+  to_unconstrained(hierarchy_.finest().space, result);
+  return result;
+}
+
 std::unique_ptr<PenalisedProblem> FitProblem::on(const Rectangle& grid) const {
-  return std::make_unique<FitProblem>(data_, grid, options_);
+  return std::make_unique<FitProblem>(data_, grid, options_, ends_);
 }
 
 ScaledFit solve_fixed(PenalisedProblem& problem, double lambda, const FitOptions& options, std::vector<double> start) {

@@ -35,12 +35,12 @@ struct PreparedData {
 PreparedData prepare(const Observations& observations, const Rectangle& region, const Energy& energy,
                      bool merge_coincident);
 
-/// The penalised least-squares problem of one spline on one grid: the data ordered by its cells, the levels and the
-/// solver.
+/// The penalised least-squares problem of one spline on one grid, with or without conditions at its sides: the data
+/// ordered by its cells, the levels and the solver.
 class FitProblem : public PenalisedProblem {
 public:
   /// Of the options the energy, degree and aspect. The data are kept by reference.
-  FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options);
+  FitProblem(const FitData& data, const Rectangle& region, const FitOptions& options, const SpaceEnds& ends = {});
   FitProblem(const FitProblem&) = delete;
   FitProblem& operator=(const FitProblem&) = delete;
 
@@ -63,11 +63,13 @@ public:
   }
   std::vector<double> right_side(std::span<const double> weights, std::span<const double> values) const override;
   std::vector<double> values(std::span<const double> c) const override;
+  std::vector<double> whole(std::span<const double> c) const override;
   std::unique_ptr<PenalisedProblem> on(const Rectangle& grid) const override;
 
 private:
   const FitData& data_;
   FitOptions options_;
+  SpaceEnds ends_;
   Hierarchy hierarchy_;
   GridPoints points_;
   std::vector<double> value_, weight_;

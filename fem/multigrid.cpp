@@ -40,7 +40,7 @@ Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
       vectors_(static_cast<std::size_t>(hierarchy.size())),
       degree_(smoothing_degree(hierarchy.degree())),
       repeats_(hierarchy.finest().energy.stencil() != nullptr),
-      grounded_(points.are_slopes()) {
+      grounded_(points.are_slopes() && hierarchy.finest().space.holds_constants()) {
   for (int k = 0; k < hierarchy.size(); ++k) {
     const std::size_t n = hierarchy[k].space.size();
     levels_.emplace_back(hierarchy[k], points, k + 1 == hierarchy.size());
@@ -88,7 +88,7 @@ void Multigrid::set(double lambda, std::span<const double> weights) {
       finest.level().energy.is_by_differences() ? std::sqrt(finest.stiffness()) : finest.stiffness();
   can_predict_ = levels_.size() > 1 && !data_aware_ && rounding < largest_predicted_stiffness;
   null_projection_.reset();
-  if (lambda > very_large_lambda)
+  if (lambda > very_large_lambda && finest.level().space.is_unconstrained())
     null_projection_.emplace(finest.level().space, data(), hierarchy_->energy().null_degree());
   lambda_ = lambda;
 }
@@ -97,18 +97,20 @@ void Multigrid::factor_coarsest() {
   const auto& level = levels_.back();
   const auto& space = level.level().space;
   const int d = hierarchy_->degree(), nx = space.x.size(), ny = space.y.size();
+  ground_ = 0;
+  while (space.is_removed(static_cast<int>(ground_) % nx, static_cast<int>(ground_) / nx)) ++ground_;
   std::vector<Eigen::Triplet<double>> entries;
   double largest = 0;
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i)
       for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
         for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
-          if (grounded_ && i + j == 0 && dx + dy > 0) continue;
           double value = level.lambda() * level.level().energy.entry(i, j, i + dx, j + dy) +
                          level.data().stencil().entry(i, j, dx, dy);
           if (dx == 0 && dy == 0 && space.is_removed(i, j)) entries.emplace_back(j * nx + i, j * nx + i, 1.);
           largest = std::max(largest, value);
           const auto [column, row] = std::minmax({space.original(i, j), space.original(i + dx, j + dy)});
+          if (grounded_ && column != row && (column == ground_ || row == ground_)) continue;
           entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
         }
   Eigen::SparseMatrix<double> lower(nx * ny, nx * ny);
@@ -144,7 +146,7 @@ void Multigrid::cycle(std::size_t k, std::span<const double> r) const {
   auto& work = work_[k];
   if (k + 1 == levels_.size()) {
     work.x.assign(r.begin(), r.end());
-    if (grounded_) work.x.front() = 0;
+    if (grounded_) work.x[ground_] = 0;
     coarsest_->solve(work.x);
     return fill_images(levels_[k].level().space, work.x);
   }

@@ -82,8 +82,9 @@ private:
   mutable std::vector<Repeat> repeat_;  // of coarse levels that are visited twice
   int degree_;                          // of the smoothing polynomials
   bool repeats_;                        // coarse levels are visited twice
-  bool grounded_;      // no equation knows the constant: on the coarsest level coefficient 0 is held at 0
-  double lambda_ = 0;  // none is set
+  bool grounded_;           // no equation knows the constant: on the coarsest level one coefficient is held at 0 ...
+  std::size_t ground_ = 0;  // ... the first
+  double lambda_ = 0;       // none is set
   bool data_aware_ = false;
   bool can_predict_ = false;
 };

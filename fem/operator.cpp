@@ -132,13 +132,13 @@ Operator::Operator(const Energy& energy, const SplineSpace& space)
       images_y_(space.y.images()),
       products_(build_products(energy, space)),
       inside_(EvenStencil::inside(*products_)) {
-  if (energy.order() > 2 && space.x.ends().are_free() && space.y.ends().are_free())
-    by_differences_.emplace(energy, space);
+  if (energy.order() > 2) by_differences_.emplace(energy, space);
   if (energy.curvature() != 0 && has_free_end(space.y)) end_rows_ = build_end_rows(energy.curvature(), space);
 }
 
 /// Row j of the integrals, image by image.
-void Operator::part(int j, std::span<const double> c, double* out) const {
+void Operator::part(int j, std::span<const double> c, double* out, bool precise) const {
+  if (precise && by_differences_) return by_differences_->row(j, c.data(), out);
   if (!products_) {
     std::fill_n(out, columns(), 0.);
     return stencil_.add_row(j, 1, c, out);
@@ -147,16 +147,16 @@ void Operator::part(int j, std::span<const double> c, double* out) const {
   if (end_rows_ && std::min(j, rows() - 1 - j) <= 1) add_row(*end_rows_, j, c, out);
 }
 
-void Operator::row(int j, std::span<const double> c, double* out) const {
+void Operator::folded_row(int j, std::span<const double> c, double* out, bool precise) const {
   const int first_image = rows() - images_y_;
   if (j >= first_image) {
     std::fill_n(out, columns(), 0.);
     return;
   }
-  part(j, c, out);
+  part(j, c, out, precise);
   if (j < images_y_) {
     std::vector<double> image(static_cast<std::size_t>(columns()));
-    part(first_image + j, c, image.data());
+    part(first_image + j, c, image.data(), precise);
     for (std::size_t i = 0; i < image.size(); ++i) out[i] += image[i];
   }
   double* image = out + columns() - images_x_;
@@ -179,7 +179,7 @@ void Operator::rough_row(int j, const double* const* c, ColumnRange columns, dou
 
 void Operator::apply(std::span<const double> c, std::span<double> out) const {
   for_blocks(RowBlocks(rows(), columns()), [&](int begin, int end) {
-    for (int j = begin; j < end; ++j) row(j, c, out.data() + static_cast<std::ptrdiff_t>(j) * columns());
+    for (int j = begin; j < end; ++j) precise_row(j, c, out.data() + static_cast<std::ptrdiff_t>(j) * columns());
   });
 }
 

@@ -34,12 +34,10 @@ public:
   std::size_t size() const { return static_cast<std::size_t>(rows()) * static_cast<std::size_t>(columns()); }
 
   /// Row j of E c: writes columns() numbers to `out`. One thread.
-  void row(int j, std::span<const double> c, double* out) const;
+  void row(int j, std::span<const double> c, double* out) const { folded_row(j, c, out, false); }
   /// The same by differences first where derivatives are of third order, whose sums of products would drown what is
   /// smooth in rounding, ε / h^6: for residuals and the products of conjugate gradients.
-  void precise_row(int j, std::span<const double> c, double* out) const {
-    by_differences_ ? by_differences_->row(j, c.data(), out) : row(j, c, out);
-  }
+  void precise_row(int j, std::span<const double> c, double* out) const { folded_row(j, c, out, true); }
   /// True if precise_row goes by differences.
   bool is_by_differences() const { return by_differences_.has_value(); }
   /// The same for some columns, where the rows of c need not lie one after another: c[q] is row first_row(j) + q, and
@@ -53,7 +51,7 @@ public:
   int first_row(int j) const { return products_->first_row(j); }
   int band_height() const { return products_->band_height(); }
 
-  /// out = E c; all threads, the same bits for every thread count.
+  /// out = E c by precise_row; all threads, the same bits for every thread count.
   void apply(std::span<const double> c, std::span<double> out) const;
   /// Diagonal entries E_ii, as a grid.
   RepeatedRows diagonal_rows() const;
@@ -65,7 +63,8 @@ public:
   const SymmetricStencil* stencil() const { return products_ ? nullptr : &stencil_; }
 
 private:
-  void part(int j, std::span<const double> c, double* out) const;
+  void part(int j, std::span<const double> c, double* out, bool precise) const;
+  void folded_row(int j, std::span<const double> c, double* out, bool precise) const;
   double diagonal_entry(int i, int j) const;
 
   int order_ = 0;

@@ -42,6 +42,8 @@ public:
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = value()[i] - r[i];
     return r;
   }
+  /// The coefficients of the spline that the unknowns stand for, among all splines.
+  virtual std::vector<double> whole(std::span<const double> c) const { return {c.begin(), c.end()}; }
   /// The same measurements on another grid of the region.
   virtual std::unique_ptr<PenalisedProblem> on(const Rectangle& grid) const = 0;
 };

@@ -27,6 +27,12 @@ void fold_images(const SplineSpace& space, std::span<double> b) {
     fold(b.data() + (j + 1) * nx - x_images, b.data() + j * nx, x_images);
 }
 
+void to_unconstrained(const SplineSpace& space, std::span<double> c) {
+  const std::ptrdiff_t nx = space.x.size(), ny = space.y.size();
+  for (std::ptrdiff_t j = 0; j < ny; ++j) space.x.to_unconstrained(c.data() + j * nx, 1);
+  for (std::ptrdiff_t i = 0; i < nx; ++i) space.y.to_unconstrained(c.data() + i, nx);
+}
+
 TensorSum subspace_restriction(const SplineSpace& space) {
   return TensorSum({{1., space.y.subspace_restriction(), space.x.subspace_restriction()}});
 }

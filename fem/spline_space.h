@@ -22,6 +22,9 @@ struct SplineSpace {
   /// Functions that the conditions at the ends leave.
   std::size_t kept() const { return static_cast<std::size_t>(x.kept()) * static_cast<std::size_t>(y.kept()); }
   bool is_removed(int i, int j) const { return x.is_removed(i) || y.is_removed(j); }
+  bool holds_constants() const { return x.holds_constants() && y.holds_constants(); }
+  /// True if the space holds all splines of its degree.
+  bool is_unconstrained() const { return x.ends().are_free() && y.ends().are_free(); }
 
   bool is_periodic() const { return x.is_periodic() || y.is_periodic(); }
   /// The coefficient whose image (i, j) is, or that of (i, j) itself.
@@ -39,5 +42,7 @@ void fold_images(const SplineSpace& space, std::span<double> integrals);
 /// T^T of a space with conditions at its ends: T holds the coefficients of its functions among all splines. Image by
 /// image where it is periodic.
 TensorSum subspace_restriction(const SplineSpace& space);
+/// T c in place: coefficients of the space's functions become those of all splines.
+void to_unconstrained(const SplineSpace& space, std::span<double> coefficients);
 
 }  // namespace batten

@@ -89,21 +89,22 @@ const char* name_of(FlowModel model) {
   }
 }
 
-/// A quadratic ψ or φ without velocity at all points has them on one line.
-void check_determined(const VectorObservations& o, const Rectangle& region, FlowModel model, std::size_t given) {
+/// A quadratic ψ or φ without velocity at all points has them on one line; none has walls on all sides.
+void check_determined(const VectorObservations& o, const Rectangle& region, const FlowOptions& options,
+                      std::size_t given) {
   if (o.size() == 0)
     throw InvalidInput("fit_flow: expected at least one point inside the region, found none of " +
                        std::to_string(given) + " in x from " + number_text(region.x.lower(), 10) + " to " +
                        number_text(region.x.upper(), 10) + ", y from " + number_text(region.y.lower(), 10) + " to " +
                        number_text(region.y.upper(), 10));
-  if (energy_of(model).null_degree() < 2) return;
+  if (energy_of(options.model).null_degree() < 2 || options.sides.are_closed()) return;
   std::vector<double> s, t;
   for (std::size_t i = 0; i < o.size(); ++i) {
     s.push_back((o.x[i] - region.x.lower()) / region.x.length());
     t.push_back((o.y[i] - region.y.lower()) / region.y.length());
   }
   if (flatness(s, t) < 1e-10)
-    throw InvalidInput(std::string("fit_flow: the model ") + name_of(model) +
+    throw InvalidInput(std::string("fit_flow: the model ") + name_of(options.model) +
                        " needs three points that are not on one line, found " + std::to_string(o.size()) +
                        (o.size() == 1 ? " point" : " points on one line") + " (the model slow needs one point)");
 }
@@ -137,7 +138,7 @@ Eigen::Matrix<double, 6, 1> slopes(Measured kind, double s, double t) {
 }
 
 /// Takes the weighted least-squares element of the null space off the rows and divides by their range.
-void normalise(const Rectangle& region, FlowModel model, FlowData& result) {
+void normalise(const Rectangle& region, const FlowOptions& options, FlowData& result) {
   FitData& d = result.rows;
   QuadraticFunction& q = result.null_element;
   q.length = std::max(region.x.length(), region.y.length());
@@ -145,10 +146,13 @@ void normalise(const Rectangle& region, FlowModel model, FlowData& result) {
   q.y0 = std::inner_product(d.y.begin(), d.y.end(), d.weight.begin(), 0.);
   const auto [low, high] = std::minmax_element(d.value.begin(), d.value.end());
   const double largest = std::max(std::abs(*low), std::abs(*high)), range = *high - *low;
-  const Eigen::Index used = model == FlowModel::Slow ? 2 : model == FlowModel::General ? 6 : 5;
+  const Eigen::Index used = !options.sides.are_free()             ? 0
+                            : options.model == FlowModel::Slow    ? 2
+                            : options.model == FlowModel::General ? 6
+                                                                  : 5;
   std::array<double, 6> found{};
   // Twice: the second pass fits what rounding left of the first.
-  for (int pass = 0; pass < 2; ++pass) {
+  for (int pass = 0; pass < 2 && used > 0; ++pass) {
     Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(used, used);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(used);
     const auto row = [&](std::size_t i) {
@@ -177,13 +181,14 @@ Energy energy_of(FlowModel model) {
   return model == FlowModel::Slow ? Energy::thin_plate() : Energy::third_derivatives();
 }
 
-FlowData prepare_flow(const VectorObservations& o, const Rectangle& region, FlowModel model, bool merge_coincident) {
+FlowData prepare_flow(const VectorObservations& o, const Rectangle& region, const FlowOptions& options,
+                      bool merge_coincident) {
   check(o);
   FlowData result;
   const Chosen chosen = choose(o, region, merge_coincident, result);
-  check_determined(chosen.vectors, region, model, o.size());
-  result.rows = rows_of(chosen, model);
-  normalise(region, model, result);
+  check_determined(chosen.vectors, region, options, o.size());
+  result.rows = rows_of(chosen, options.model);
+  normalise(region, options, result);
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace batten {
 /// ψ_y = u and ψ_x = -v, of φ the slope φ_x = u and φ_y = v. `value` is less the null element and divided by `scale`.
 struct FlowData {
   FitData rows;
-  QuadraticFunction null_element;    ///< of ψ or φ over the length of the longer side
+  QuadraticFunction null_element;    ///< of ψ or φ over the length of the longer side; 0 unless all sides are free
   QuadraticFunction null_potential;  ///< of General: a multiple of s² + t² in φ, likewise
   std::size_t outside = 0, merged = 0;
 };
@@ -22,7 +22,7 @@ Energy energy_of(FlowModel model);
 /// Checks the observations, leaves out those outside the region and those of weight 0, scales the rest. With
 /// `merge_coincident` observations at the same place become one, of their mean and summed weight. Throws InvalidInput
 /// as fit_flow does.
-FlowData prepare_flow(const VectorObservations& observations, const Rectangle& region, FlowModel model,
+FlowData prepare_flow(const VectorObservations& observations, const Rectangle& region, const FlowOptions& options,
                       bool merge_coincident);
 
 }  // namespace batten

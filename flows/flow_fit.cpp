@@ -5,6 +5,7 @@
 #include <batten/fem/difference_form.h>
 #include <batten/fem/near_interpolation.h>
 #include <batten/flows/coupled_problem.h>
+#include <batten/flows/extended_problem.h>
 #include <batten/flows/flow_data.h>
 
 #include <Eigen/Dense>
@@ -19,6 +20,8 @@
 namespace batten {
 namespace {
 
+bool is_potential(FlowModel model) { return model == FlowModel::Irrotational; }
+
 Smoothing checked(const FlowOptions& options) {
   if (options.degree < 3 || options.degree > 5)
     throw InvalidInput("fit_flow: expected degree 3 to 5, found " + std::to_string(options.degree));
@@ -28,6 +31,11 @@ Smoothing checked(const FlowOptions& options) {
     throw InvalidInput("fit_flow: expected a positive ratio of energies, found " + number_text(options.ratio, 6));
   if (is_general && s.kind == Smoothing::Kind::Tolerance)
     throw InvalidInput("fit_flow: the model general knows no tolerance; smooth, slow and irrotational do");
+  if (is_general && !options.sides.are_free())
+    throw InvalidInput(
+        "fit_flow: the model general knows neither walls nor periodic sides; smooth, slow and irrotational do");
+  if (s.kind == Smoothing::Kind::Tolerance && !side_functions(options.sides, is_potential(options.model)).empty())
+    throw InvalidInput("fit_flow: expected no tolerance where the flux between walls or a mean flow is to be found");
   if (s.kind == Smoothing::Kind::Fixed && !(s.value >= 0 && std::isfinite(s.value)))
     throw InvalidInput("fit_flow: expected a smoothing that is not negative, found " + number_text(s.value, 6));
   if (s.kind == Smoothing::Kind::Tolerance && !(s.value > 0 && std::isfinite(s.value)))
@@ -215,7 +223,11 @@ std::unique_ptr<PenalisedProblem> make_problem(const FitData& rows, const Rectan
                                                const FlowOptions& options) {
   if (options.model == FlowModel::General)
     return std::make_unique<CoupledProblem>(rows, region, scalar_options(options), options.ratio);
-  return std::make_unique<FitProblem>(rows, region, scalar_options(options));
+  const bool potential = is_potential(options.model);
+  const SpaceEnds ends = side_conditions(options.sides, potential);
+  const auto functions = side_functions(options.sides, potential);
+  if (functions.empty()) return std::make_unique<FitProblem>(rows, region, scalar_options(options), ends);
+  return std::make_unique<ExtendedProblem>(rows, region, scalar_options(options), ends, functions);
 }
 
 /// Of the scaled coefficients, which differ from the splines by what has no energy.
@@ -232,26 +244,46 @@ void measure_energy(const FlowOptions& options, const ScaledFit& fit, double sca
   result.energy += result.potential_energy;
 }
 
+/// Fluxes and mean flows, which are differences of ψ or φ between opposite sides.
+void measure_sides(const FlowOptions& options, FlowResult& result) {
+  const Interval &x = result.field.region().x, &y = result.field.region().y;
+  const bool potential = is_potential(options.model);
+  const Solution& p = potential ? *result.field.potential() : *result.field.stream();
+  const double low = p.value(x.lower(), y.lower());
+  const double across = p.value(x.upper(), y.lower()) - low, upwards = p.value(x.lower(), y.upper()) - low;
+  for (const SideFunction& f : side_functions(options.sides, potential)) {
+    const bool is_x = f.along == SideFunction::Along::X;
+    const double difference = is_x ? across : upwards;
+    if ((is_x ? options.sides.left : options.sides.bottom) == FlowSide::Periodic)
+      (is_x == potential ? result.mean_u : result.mean_v) =
+          (is_x && !potential ? -1 : 1) * difference / (is_x ? x : y).length();
+    else
+      result.flux = is_x ? -difference : difference;
+  }
+}
+
 }  // namespace
 
 FlowResult fit_flow(const VectorObservations& observations, const Rectangle& region, const FlowOptions& options) {
   const Smoothing smoothing = checked(options);
   std::vector<PhaseTime> seconds;
   const FlowData data = timed(seconds, "prepare", [&] {
-    return prepare_flow(observations, region, options.model, smoothing.kind == Smoothing::Kind::None);
+    return prepare_flow(observations, region, options, smoothing.kind == Smoothing::Kind::None);
   });
   const auto problem = timed(seconds, "set up", [&] { return make_problem(data.rows, region, options); });
   const SplineSpace space = finest_space(region, options.degree);
 
   FlowResult result{.field = field_of(options, {std::vector<double>(problem->unknowns())}, data, space, region)};
   result.seconds = std::move(seconds);
-  const ScaledFit fit = solve_for(smoothing, *problem, data.rows.scale, scalar_options(options), result);
+  ScaledFit fit = solve_for(smoothing, *problem, data.rows.scale, scalar_options(options), result);
+  fit.coefficients = problem->whole(fit.coefficients);
   result.points_outside = data.outside;
   result.points_merged = data.merged;
   result.points_used = data.rows.size() / 2 + data.merged;
   if (data.merged > 0)
     result.notes.push_back(std::to_string(data.merged) + " observations were averaged into coincident ones");
   result.field = field_of(options, fit, data, space, region);
+  measure_sides(options, result);
   timed(result.seconds, "measure", [&] {
     measure(observations, result);
     result.largest_divergence = divergence_share(result.field, options.seed);

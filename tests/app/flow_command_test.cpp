@@ -158,6 +158,32 @@ TEST_F(FlowCommand, weights_count_and_rows_can_be_skipped) {
   expect_column("v", {0});
 }
 
+TEST_F(FlowCommand, finds_the_flux_between_walls_without_slip) {
+  const std::string channel =
+      "flow examples/data/channel.csv --x x --y y --u u --v v -o f.vti --cells 48 16 --no-slip bottom,top ";
+  const auto report = report_of(channel + "--region 0 3 0 1");
+  EXPECT_NEAR(report["flux"], 1, 0.01);
+  EXPECT_EQ(report["sides"]["top"], "no-slip");
+  EXPECT_EQ(report["sides"]["left"], "free");
+  EXPECT_TRUE(report["mean_u"].is_null());
+  folder_.write("at.csv", "x,y\n1,0\n2,1\n");
+  expect_success(folder_, "evaluate f.vti --at at.csv -o there.csv");
+  expect_column("u", {0, 0});
+  expect_column("v", {0, 0});
+  const auto around = report_of(channel + "--region 0 3 0 1 --periodic x");
+  EXPECT_NEAR(around["flux"], 1, 0.01);
+  EXPECT_EQ(report_of(channel + "--walls left,right")["flux"], nullptr);
+}
+
+TEST_F(FlowCommand, refuses_sides_that_are_unknown_or_named_twice) {
+  expect_failure(in + "--walls lft -o f.vti", 2, "--walls: there is no 'lft'; did you mean 'left'?");
+  expect_failure(in + "--walls closed --no-slip top -o f.vti", 2, "--no-slip: the side top is wall already");
+  expect_failure(in + "--walls left --periodic x -o f.vti", 2, "--periodic: the side left is wall already");
+  expect_failure(in + "--walls left --model general -o f.vti", 2, "--model general has free sides");
+  expect_failure(in + "--no-slip left --model irrotational -o f.vti", 2, "--no-slip belongs to the models");
+  expect_failure(in + "--periodic x --cells 7 8 -o f.vti", 1, "periodic");
+}
+
 TEST_F(FlowCommand, stays_within_the_tolerance_or_refuses) {
   const std::string wind = "flow examples/data/wind.csv --x x --y y --u u --v v -o f.vti ";
   expect_failure(wind + "--cells 8 8 --tolerance 0.1", 1, "the tolerance 0.1 is not reachable on this grid of 8 x 8");
