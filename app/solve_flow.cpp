@@ -25,7 +25,7 @@ void write_flow(SolveWork& work, const GridSamples& grid) {
 }
 
 void draw_flow(SolveWork& work, const GridSamples& grid) {
-  constexpr int lines = 100;
+  constexpr int lines = 40;
   const std::string& path = work.arguments.picture;
   const FlowField& field = work.account.flow->result.field;
   work.progress.show("streamlines");

@@ -18,17 +18,15 @@ struct Reason {
 };
 
 /// Keys that are there for other problems.
-void refuse_others(const TomlEntries& entries, std::span<const Reason> reasons) {
-  for (const auto& [key, text] : reasons)
-    if (const TomlValue* const found = entries.find(key)) refuse(*found, text);
+void refuse_others(const TomlValue& table, std::span<const Reason> reasons) {
+  for (const TomlValue& item : table.items)
+    for (const auto& [key, text] : reasons)
+      if (item.key == key) refuse(item, text);
 }
 
 double viscosity_of(const TomlValue& table) {
-  static constexpr std::array known = {"mu", "density"};
-  static constexpr std::array reasons = {
-      Reason{"density", "is not for a slow flow, which has no inertia; its velocities depend on forces over mu alone"}};
+  static constexpr std::array known = {"mu"};
   const TomlEntries entries(table, known);
-  refuse_others(entries, reasons);
   const TomlValue* const mu = entries.find("mu");
   if (!mu) return 1;
   if (mu->kind == TomlValue::Kind::Table) refuse(*mu, "must be a number: the viscosity of a slow flow is constant");
@@ -44,9 +42,10 @@ StokesSide named_side(const TomlValue& entry) {
   if (word == "symmetry") return StokesSide::symmetry();
   if (word == "free") return StokesSide::free();
   if (word == "periodic")
-    refuse(entry, std::string("is not known for a slow flow: how much flows through periodic sides is not determined "
-                              "by them. A side is ") +
-                      what_a_side_is);
+    refuse(entry,
+           std::string("\"periodic\" is not for slow flows: how much flows through periodic sides is not determined "
+                       "by them. A side is ") +
+               what_a_side_is);
   refuse(entry, "unknown side \"" + word + "\"; did you mean \"" + nearest_name(word, words) + "\"? A side is " +
                     what_a_side_is);
 }
@@ -57,7 +56,7 @@ StokesSide side_of(const TomlValue& entry, const FieldReader& fields, std::span<
   if (entry.kind != TomlValue::Kind::Table)
     refuse(entry, std::string(what_a_side_is) + " is expected, found " + found_text(entry));
   const TomlEntries entries(entry, known);
-  const std::string both = "both velocities are expected, {u = ..., v = ...}";
+  const std::string both = "a velocity in both directions, {u = ..., v = ...},";
   return StokesSide::moving(fields.read(entries.require("u", both), places),
                             fields.read(entries.require("v", both), places));
 }
@@ -91,13 +90,13 @@ StokesProblem::PointForce point_force(const TomlValue& item, const Rectangle& re
 }
 
 void read_forces(const TomlValue& table, const FieldReader& fields, StokesProblem& problem) {
-  static constexpr std::array known = {"fx", "fy", "points", "q", "lines", "patches"};
+  static constexpr std::array known = {"fx", "fy", "points"};
   static constexpr std::array reasons = {
       Reason{"q", "is a load for plates and Poisson problems; the force per area on a flow is fx and fy"},
       Reason{"lines", "is for plates and Poisson problems; a slow flow takes fx, fy and points"},
       Reason{"patches", "is for plates and Poisson problems; a slow flow takes fx and fy, as in \"x < 0.5 ? 1 : 0\""}};
+  refuse_others(table, reasons);
   const TomlEntries entries(table, known);
-  refuse_others(entries, reasons);
   const auto places = places_in(fields.region());
   if (const TomlValue* const fx = entries.find("fx")) problem.force_x = fields.read(*fx, places);
   if (const TomlValue* const fy = entries.find("fy")) problem.force_y = fields.read(*fy, places);
@@ -123,7 +122,7 @@ StokesProblem stokes_of(const TomlEntries& file, int degree, const FieldReader& 
       Reason{"supports", "is for plates and Poisson problems; a slow flow is held by its sides alone"},
       Reason{"modes", "is for plates and Poisson problems; a slow flow has no inertia and does not vibrate"},
       Reason{"time", "is for plates and Poisson problems; a slow flow has no inertia and follows its sides at once"}};
-  refuse_others(file, reasons);
+  refuse_others(file.table(), reasons);
   const TomlValue& sides = file.require("sides", "a table [sides] with left, right, bottom, top");
   StokesProblem problem{.region = fields.region(), .degree = degree};
   if (const TomlValue* const material = file.find("material")) problem.viscosity = viscosity_of(*material);

@@ -67,7 +67,7 @@ public:
   /// ψ on side k, in the order above.
   Field stream(std::size_t k) const;
   double inflow() const { return (size_ - outflow_) / 2; }
-  double net_inflow() const { return -outflow_; }
+  double net_inflow() const { return 0 - outflow_; }
   const Course& course(std::size_t k) const { return courses_[k]; }
 
 private:

@@ -34,12 +34,14 @@ StreamExtremes stream_extremes(const FlowField& field) {
   if (!field.stream()) throw InvalidInput("stream_extremes: expected a field with a stream function, found none");
   const GridSamples grid = field.stream()->samples();
   const std::vector<double>& psi = grid.arrays.front().values;
-  const auto place = [&](std::vector<double>::const_iterator found) {
+  const auto [least, largest] = std::ranges::minmax(psi);
+  const double rounding = 1e-13 * (largest - least);
+  const auto place = [&](double extreme) {  // the first of those along a wall
+    const auto found = std::ranges::find_if(psi, [&](double v) { return std::abs(v - extreme) <= rounding; });
     const auto k = static_cast<int>(found - psi.begin());
     return StreamExtremes::Place{*found, field.region().x.coordinate(k % grid.points[0]),
                                  field.region().y.coordinate(k / grid.points[0])};
   };
-  const auto [least, largest] = std::minmax_element(psi.begin(), psi.end());
   return {refined(field, place(least), -1), refined(field, place(largest), 1)};
 }
 

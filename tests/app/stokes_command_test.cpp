@@ -28,10 +28,11 @@ protected:
 TEST_F(SolvingFlows, give_the_cavity_of_the_example) {
   const Outcome run = expect_success(
       folder_, "solve examples/data/lid_cavity.toml -o o.vti --picture o.png --report o.json --threads 1");
-  EXPECT_THAT(lines(run.out), SizeIs(6));
-  EXPECT_THAT(run.out, AllOf(StartsWith("examples/data/lid_cavity.toml: slow flow, left a wall, right a wall, bottom a "
-                                        "wall, top moving\n"),
-                             HasSubstr("psi from -0.10007"), HasSubstr("wrote o.vti o.png o.json")));
+  EXPECT_THAT(lines(run.out), SizeIs(5));
+  EXPECT_THAT(run.out,
+              AllOf(StartsWith("examples/data/lid_cavity.toml: slow flow, left a wall, right a wall, bottom a "
+                               "wall, top moving\n"),
+                    HasSubstr("psi from -0.100076 at (0.5, 0.765027)"), HasSubstr("wrote o.vti o.png o.json")));
   EXPECT_GT(folder_.read("o.png").size(), 50000u);
   const auto json = report();
   EXPECT_EQ(json["problem"], "stokes");
@@ -42,7 +43,7 @@ TEST_F(SolvingFlows, give_the_cavity_of_the_example) {
   EXPECT_NEAR(json["psi_max"]["value"], 2.2276e-6, 1e-9);  // the eddies of the lower corners
   EXPECT_NEAR(json["extremes"]["speed"]["largest"]["value"], 1, 0.2);
   EXPECT_LE(json["accuracy"].get<double>(), 1e-10);
-  EXPECT_LT(json["largest_divergence"].get<double>(), 1e-8);
+  EXPECT_LT(json["largest_divergence"].get<double>(), 1e-6);
   EXPECT_EQ(json["inflow"], 0);
   EXPECT_THAT(json["notes"], SizeIs(0));
   EXPECT_TRUE(json["seconds"].contains("total"));

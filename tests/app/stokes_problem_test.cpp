@@ -58,7 +58,8 @@ TEST(StokesProblemFile, must_say_how_the_fluid_moves_on_every_side) {
   const std::string choices = "{u = ..., v = ...}, \"wall\", \"symmetry\" or \"free\"";
   EXPECT_THAT(refusal(""), HasSubstr("the key 'sides' is missing"));
   EXPECT_THAT(refusal("[sides]\nleft = \"wall\"\n"), HasSubstr("the key 'right' is missing; " + choices));
-  EXPECT_THAT(refusal(sides("{u = 1}")), HasSubstr("the key 'v' is missing; both velocities are expected"));
+  EXPECT_THAT(refusal(sides("{u = 1}")),
+              HasSubstr("the key 'v' is missing; a velocity in both directions, {u = ..., v = ...}, is expected"));
   EXPECT_THAT(refusal(sides("{value = 1}")), HasSubstr("unknown key 'value' in [sides.left]"));
   EXPECT_THAT(refusal(sides("\"clamped\"")),
               AllOf(StartsWith("p.toml:6:8: sides.left: unknown side \"clamped\""), HasSubstr(choices)));
@@ -79,7 +80,7 @@ TEST(StokesProblemFile, refuses_what_a_slow_flow_has_not) {
   EXPECT_THAT(refusal(walls + "[supports]\npoints = [{x = 1, y = 0.5}]\n"), HasSubstr("is held by its sides alone"));
   EXPECT_THAT(refusal(walls + "[modes]\ncount = 3\n"), HasSubstr("has no inertia and does not vibrate"));
   EXPECT_THAT(refusal(walls + "[time]\nend = 3\n"), HasSubstr("follows its sides at once"));
-  EXPECT_THAT(refusal(walls + "[material]\ndensity = 3\n"), HasSubstr("which has no inertia"));
+  EXPECT_THAT(refusal(walls + "[material]\ndensity = 3\n"), HasSubstr("unknown key 'density' in [material]"));
   EXPECT_THAT(refusal(walls + "[material]\nD = 3\n"), HasSubstr("unknown key 'D' in [material]"));
   EXPECT_THAT(refusal(walls + "[material]\nmu = 0\n"), HasSubstr("material.mu: must be positive, found 0"));
   EXPECT_THAT(refusal(walls + "[material]\nmu = {table = \"a.csv\"}\n"),
@@ -87,7 +88,8 @@ TEST(StokesProblemFile, refuses_what_a_slow_flow_has_not) {
   EXPECT_THAT(refusal(walls + "[load]\nq = 3\n"), HasSubstr("the force per area on a flow is fx and fy"));
   EXPECT_THAT(refusal(walls + "[load]\nlines = []\n"), HasSubstr("takes fx, fy and points"));
   EXPECT_THAT(refusal(walls + "[load]\npatches = []\n"), HasSubstr("takes fx and fy"));
-  EXPECT_THAT(refusal(walls + "[load]\nf = 3\n"), HasSubstr("unknown key 'f' in [load]; did you mean 'fx'?"));
+  EXPECT_THAT(refusal(walls + "[load]\nf = 3\n"),
+              HasSubstr("unknown key 'f' in [load]; did you mean 'fx'? Known are fx, fy, points"));
   EXPECT_THAT(refusal(walls + "[load]\npoints = [{x = 0.5, y = 0.5, value = 1}]\n"), HasSubstr("unknown key 'value'"));
   EXPECT_THAT(refusal(walls + "[load]\npoints = [{x = 0.5, y = 0.5, fx = 1}]\n"), HasSubstr("the key 'fy' is missing"));
   EXPECT_THAT(refusal(walls + "[load]\npoints = [{x = 3, y = 0.5, fx = 1, fy = 1}]\n"),
