@@ -182,6 +182,17 @@ TEST(Stokes, gives_the_flow_of_a_force_at_a_point) {
   }
 }
 
+TEST(Stokes, has_a_velocity_at_a_force_that_grows_with_the_logarithm_of_the_cells) {
+  // The scale of the Stokeslet's -F log r / (4 π μ) is the cell.
+  const auto velocity = [](int cells) {
+    StokesProblem problem = still_box(cells, 3);
+    problem.viscosity = 2;
+    problem.point_forces = {{0.5, 0.5, 3, 0}};
+    return solve_stokes(problem).field.velocity(0.5, 0.5).u;
+  };
+  EXPECT_NEAR(velocity(64) - velocity(32), 3 * std::log(2.) / (4 * std::numbers::pi * 2), 1e-5);
+}
+
 TEST(Stokes, loses_the_power_of_its_forces) {
   StokesProblem problem = still_box(24, 3);
   problem.viscosity = 0.5;
