@@ -34,21 +34,21 @@ Record record_of(const FlowOutputs& outputs) {
   return record;
 }
 
-void write_flow_picture(const FlowOutputs& outputs, const GridSamples& grid) {
+}  // namespace
+
+void draw_flow_picture(const FlowPicture& picture, const GridSamples& samples) {
   PictureOptions options;
   options.view = PictureOptions::View::Map;
   options.array = "speed";
-  options.x_name = outputs.input->names[0];
-  options.y_name = outputs.input->names[1];
+  options.x_name = picture.names[0];
+  options.y_name = picture.names[1];
   options.value_name = "speed";
   options.contours = false;
-  const bool has_lines = !outputs.streamlines.empty();
-  options.curves = has_lines ? outputs.streamlines : arrows_of(outputs.result->field);
+  const bool has_lines = !picture.streamlines.empty();
+  options.curves = has_lines ? picture.streamlines : arrows_of(*picture.field);
   options.heads = has_lines ? PictureOptions::Heads::Along : PictureOptions::Heads::End;
-  write_picture(outputs.arguments->picture, grid, {}, options);
+  write_picture(picture.path, samples, {}, options);
 }
-
-}  // namespace
 
 std::vector<std::string> output_files(const FlowArguments& arguments) {
   std::vector<std::string> files;
@@ -77,7 +77,8 @@ void write_outputs(const FlowOutputs& outputs, Progress& progress) {
   if (!arguments.streamlines_out.empty()) write_curves(arguments.streamlines_out, outputs.streamlines);
   if (arguments.picture.empty()) return;
   progress.show("draw " + arguments.picture);
-  write_flow_picture(outputs, grid);
+  const auto& names = outputs.input->names;
+  draw_flow_picture({arguments.picture, &outputs.result->field, {names[0], names[1]}, outputs.streamlines}, grid);
 }
 
 }  // namespace batten

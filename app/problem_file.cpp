@@ -5,10 +5,12 @@
 #include <batten/app/nearest_name.h>
 #include <batten/app/problem_file.h>
 #include <batten/app/side_entries.h>
+#include <batten/app/stokes_entries.h>
 #include <batten/app/toml_entries.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -24,26 +26,30 @@ const TomlValue& table_or_empty(const TomlEntries& entries, const std::string& k
   return found ? *found : empty;
 }
 
-bool is_plate(const TomlValue& entry) {
-  static constexpr std::array kinds = {"poisson", "plate"};
-  if (entry.kind == TomlValue::Kind::Text && (entry.text == kinds[0] || entry.text == kinds[1]))
-    return entry.text == kinds[1];
+enum class Kind { Poisson, Plate, Stokes };
+constexpr const char* kinds_text = "\"poisson\", \"plate\" or \"stokes\"";
+
+Kind kind_of(const TomlValue& entry) {
+  static constexpr std::array kinds = {"poisson", "plate", "stokes"};  // in the order of Kind
   if (entry.kind != TomlValue::Kind::Text)
-    refuse(entry, "\"poisson\" or \"plate\" is expected, found " + found_text(entry));
+    refuse(entry, std::string(kinds_text) + " is expected, found " + found_text(entry));
+  const auto found = std::find(kinds.begin(), kinds.end(), entry.text);
+  if (found != kinds.end()) return static_cast<Kind>(found - kinds.begin());
   refuse(entry, "unknown problem \"" + entry.text + "\"; did you mean \"" + nearest_name(entry.text, kinds) +
                     "\"? Known are " + name_list(kinds));
 }
 
-int degree_of(const TomlEntries& file, bool plate) {
+int degree_of(const TomlEntries& file, Kind kind) {
   constexpr int usual = 3, most = 5;
   const TomlValue* const entry = file.find("degree");
   if (!entry) return usual;
-  const int least = plate ? 2 : 1;
+  const int least = kind == Kind::Poisson ? 1 : 2;
   const double degree = constant_of(*entry);
   for (int d = least; d <= most; ++d)
     if (degree == d) return d;
-  refuse(*entry, "a degree from " + std::to_string(least) + " to " + std::to_string(most) + " is expected" +
-                     (plate ? " for a plate" : "") + ", found " + number_text(degree, digits));
+  const std::string whose = kind == Kind::Plate ? " for a plate" : kind == Kind::Stokes ? " for a flow" : "";
+  refuse(*entry, "a degree from " + std::to_string(least) + " to " + std::to_string(most) + " is expected" + whose +
+                     ", found " + number_text(degree, digits));
 }
 
 /// Throws InvalidInput if there is not enough memory for so many cells.
@@ -160,16 +166,8 @@ IterationLimits limits_of(const TomlValue& table) {
   return limits;
 }
 
-ProblemFile problem_of(const TomlValue& file, const std::filesystem::path& folder) {
-  static constexpr std::array known = {"problem", "x",     "y",        "cells", "degree", "material",
-                                       "load",    "sides", "supports", "modes", "time",   "solver"};
-  const TomlEntries entries(file, known);
-  const bool plate = is_plate(entries.require("problem", "\"poisson\" or \"plate\""));
-  const int degree = degree_of(entries, plate);
-  const FieldReader fields(region_of(entries, degree), folder);
-  // Nothing that throws stands in these braces: g++ 12 would destroy the region twice.
-  ProblemFile result{.problem = {.material = {}, .region = fields.region(), .degree = degree}};
-  result.limits = limits_of(table_or_empty(entries, "solver"));
+/// What a plate or Poisson problem is made of, and what is asked of it.
+void read_boundary_problem(const TomlEntries& entries, bool plate, const FieldReader& fields, ProblemFile& result) {
   BoundaryProblem& problem = result.problem;
   problem.sides = sides_of(entries.require("sides", "a table [sides] with left, right, bottom, top"), plate, fields);
   const TomlValue& material = table_or_empty(entries, "material");
@@ -179,14 +177,33 @@ ProblemFile problem_of(const TomlValue& file, const std::filesystem::path& folde
     problem.material = conduction_of(material, fields);
   }
   const bool stores_stencils = std::visit([](const auto& m) { return varies(m); }, problem.material);
-  expect_room(*entries.find("cells"), {static_cast<double>(fields.region().x.cells()),
-                                       static_cast<double>(fields.region().y.cells()), degree, stores_stencils});
+  expect_room(*entries.find("cells"),
+              {static_cast<double>(fields.region().x.cells()), static_cast<double>(fields.region().y.cells()),
+               problem.degree, stores_stencils});
   problem.loads = loads_of(table_or_empty(entries, "load"), plate, fields);
   problem.supports = supports_of(table_or_empty(entries, "supports"), plate, fields);
   const TomlValue *const modes = entries.find("modes"), *const time = entries.find("time");
   if (modes && time) refuse(*time, "is there beside [modes]; a file asks for modes or for motion, not for both");
   if (modes) result.modes = modes_of(*modes, fields);
   if (time) result.motion = motion_of(*time, plate, fields);
+}
+
+ProblemFile problem_of(const TomlValue& file, const std::filesystem::path& folder) {
+  static constexpr std::array known = {"problem", "x",     "y",        "cells", "degree", "material",
+                                       "load",    "sides", "supports", "modes", "time",   "solver"};
+  const TomlEntries entries(file, known);
+  const Kind kind = kind_of(entries.require("problem", kinds_text));
+  const int degree = degree_of(entries, kind);
+  const FieldReader fields(region_of(entries, degree), folder);
+  // Nothing that throws stands in these braces: g++ 12 would destroy the region twice.
+  ProblemFile result{.problem = {.material = {}, .region = fields.region(), .degree = degree}};
+  result.limits = limits_of(table_or_empty(entries, "solver"));
+  if (kind == Kind::Stokes) {
+    result.flow = stokes_of(entries, degree, fields);
+    result.problem = stream_function_problem(*result.flow);
+  } else {
+    read_boundary_problem(entries, kind == Kind::Plate, fields, result);
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <batten/fem/boundary_problem.h>
 #include <batten/fem/conjugate_gradients.h>
 #include <batten/fem/time_stepping.h>
+#include <batten/flows/stokes.h>
 
 #include <filesystem>
 #include <optional>
@@ -18,13 +19,16 @@ struct ModeRequest {
   Field density = 1;
 };
 
-/// What a problem file says (docs/solve.md). At most one of modes and motion is there.
+/// What a problem file says (docs/solve.md). At most one of modes, motion and flow is there.
 struct ProblemFile {
-  BoundaryProblem problem;
+  BoundaryProblem problem;            ///< of a flow the plate that its stream function is
+  std::optional<StokesProblem> flow;  ///< problem = "stokes"
   IterationLimits limits;
   std::optional<ModeRequest> modes;
   std::optional<Motion> motion;
 
+  /// As `problem` in the file.
+  const char* kind() const { return flow ? "stokes" : problem.is_plate() ? "plate" : "poisson"; }
   /// "w" of a plate, "u" of a Poisson problem.
   const char* unknown() const { return problem.is_plate() ? "w" : "u"; }
 };

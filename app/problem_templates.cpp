@@ -145,8 +145,35 @@ bottom = "free"
 top = "free"
 )TOML";
 
-constexpr std::array templates = {Template{"poisson", poisson}, Template{"plate", plate}, Template{"heat", heat},
-                                  Template{"vibration", vibration}, Template{"foundation", foundation}};
+constexpr const char* stokes =
+    R"TOML(# Slow (Stokes) flow: -mu lap v + grad p = f, div v = 0, here through a channel past a stirring force.
+problem = "stokes"
+x = [0, 2]                # the rectangle
+y = [0, 1]
+cells = [128, 64]         # even numbers that can be halved often are solved fastest
+degree = 3                # of the stream function, 2 to 5
+
+[material]
+mu = 1                    # viscosity, a number > 0
+
+[load]
+fx = 0                    # force per area: numbers, expressions in x and y, or {table = "f.csv"}
+fy = 0
+points = [{x = 0.8, y = 0.4, fx = 0, fy = 5}]     # forces
+
+[sides]                   # {u = ..., v = ...}, "wall", "symmetry" or "free"
+left = {u = "4*y*(1-y)", v = 0}                   # an inflow; as much must flow out
+right = {u = "4*y*(1-y)", v = 0}
+bottom = "wall"           # u = v = 0
+top = "wall"              # a lid would be {u = 1, v = 0}
+
+[solver]
+accuracy = 1e-10          # estimated relative error in the energy norm
+)TOML";
+
+constexpr std::array templates = {
+    Template{"poisson", poisson},     Template{"plate", plate},           Template{"heat", heat},
+    Template{"vibration", vibration}, Template{"foundation", foundation}, Template{"stokes", stokes}};
 
 }  // namespace
 
@@ -167,9 +194,11 @@ The solution is the B-spline on the grid that minimises the energy of
 
   poisson   -div(k grad u) + c u = q            membranes, heat, diffusion
   plate     D lap^2 w - T lap w + c w = q       Kirchhoff plates
+  stokes    -mu lap v + grad p = f, div v = 0   slow flow, v = (psi_y, -psi_x)
 
 under the conditions of the sides and supports. With [modes] in the file it is
-the lowest free vibrations, with [time] the motion from an initial state.
+the lowest free vibrations, with [time] the motion from an initial state. A
+slow flow is a result as batten flow writes it.
 docs/solve.md explains every key; a template is the quickest start:
 
   batten solve --template plate > my.toml
@@ -178,6 +207,7 @@ Lengths, loads and times are in your own units, which must fit together. Loads
 act in the direction of positive u or w.
 
 Examples:
-  batten solve examples/data/clamped_plate.toml -o plate.vti --picture plate.png --report plate.json)";
+  batten solve examples/data/clamped_plate.toml -o plate.vti --picture plate.png --report plate.json
+  batten solve examples/data/lid_cavity.toml -o cavity.vti --picture cavity.png --report cavity.json)";
 
 }  // namespace batten

@@ -6,6 +6,8 @@
 #include <batten/fem/boundary_solver.h>
 #include <batten/fem/hierarchy.h>
 #include <batten/fem/side_data.h>
+#include <batten/flows/stokes.h>
+#include <batten/flows/stream_extremes.h>
 
 #include <array>
 #include <optional>
@@ -36,13 +38,21 @@ struct FrameAccount {
   Extremes extremes;
 };
 
+/// What was found of a flow.
+struct FlowSolution {
+  StokesResult result;
+  StreamExtremes stream;
+  std::size_t streamlines = 0;  ///< in the picture
+};
+
 /// What is said about a solution beside its files.
 struct SolveAccount {
   const SolveArguments* arguments;
   const ProblemFile* file;
   std::optional<BoundaryResult> result;          ///< of a problem at rest
+  std::optional<FlowSolution> flow;              ///< of a flow
   std::optional<std::array<double, 4>> corners;  ///< corner forces of a plate at rest
-  std::vector<Extremes> extremes;                ///< of a problem at rest
+  std::vector<Extremes> extremes;                ///< of a problem at rest and a flow
   std::vector<ModeAccount> modes;
   std::vector<FrameAccount> frames;
   std::vector<std::string> notes;  ///< what the user should know, one line each

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/problem_templates.h>
 #include <batten/app/solve_command.h>
+#include <batten/app/solve_flow.h>
 #include <batten/app/solve_outputs.h>
 #include <batten/app/solve_series.h>
 #include <batten/app/solve_work.h>
 #include <batten/app/thread_count.h>
 #include <batten/app/usage_error.h>
 #include <batten/domains/errors.h>
-#include <batten/domains/number_text.h>
 #include <batten/fem/plate_forces.h>
 
 #include <CLI/CLI.hpp>
@@ -48,12 +48,7 @@ void solve_at_rest(SolveWork& work) {
   work.account.result = solve_boundary_problem(work.file.problem, work.options());
   const BoundaryResult& result = *work.account.result;
   work.account.notes = result.notes;
-  if (const double asked = work.file.limits.accuracy; result.accuracy > asked)
-    work.account.notes.push_back("the accuracy is " + number_text(result.accuracy, 2) + "; " + number_text(asked) +
-                                 " was asked for");
-  const auto& phases = result.seconds;
-  work.account.seconds.insert(work.account.seconds.end(), phases.begin(), phases.end());
-  work.watch.lap();
+  work.end_solve(result.accuracy, result.seconds);
   write_rest(work);
   work.end_phase("write");
 }
@@ -86,7 +81,9 @@ void run_solve(const SolveArguments& arguments) {
   SolveWork work{arguments, file, progress, account};
   account.seconds.push_back({"read", total.lap()});
   double elapsed = account.seconds.back().seconds;
-  if (file.modes)
+  if (file.flow)
+    solve_flow(work);
+  else if (file.modes)
     solve_modes(work);
   else if (file.motion)
     solve_motion(work);
@@ -105,7 +102,7 @@ void run_solve(const SolveArguments& arguments) {
 }  // namespace
 
 Subcommand add_solve_command(CLI::App& app) {
-  CLI::App* const parser = app.add_subcommand("solve", "Membranes, heat and plates from a problem file");
+  CLI::App* const parser = app.add_subcommand("solve", "Membranes, heat, plates and slow flows from a problem file");
   const auto a = std::make_shared<SolveArguments>();
   parser->add_option("PROBLEM", a->problem, "the problem, a TOML file (docs/solve.md)")->option_text(" ");
   auto* const kind = parser
@@ -119,7 +116,8 @@ Subcommand add_solve_command(CLI::App& app) {
   parser->add_option("-o,--output", a->output, "the solution; of modes OUT_mode1.vti ..., of motion OUT_0000.vti ...")
       ->option_text("OUT.vti");
   parser
-      ->add_option("--picture", a->picture, "the solution; of motion its end; of modes a map of each with nodal lines")
+      ->add_option("--picture", a->picture,
+                   "the solution; of motion its end; of modes maps with nodal lines; of a flow streamlines")
       ->option_text("OUT.png");
   parser->add_option("--report", a->report, "numbers about the solution")->option_text("OUT.json");
   parser->add_option("--threads", a->threads, "default: all of the machine; the result does not depend on it")

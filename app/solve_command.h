@@ -5,7 +5,7 @@
 
 namespace batten {
 
-/// `batten solve`: membranes, heat and plates from a problem file.
+/// `batten solve`: membranes, heat, plates and slow flows from a problem file.
 Subcommand add_solve_command(CLI::App& app);
 
 }  // namespace batten

@@ -77,7 +77,7 @@ Extremes extremes_of(const GridSamples& grid, const PointArray& array) {
 void write_solution(const SolutionFile& file, const GridSamples& grid) {
   Record record = file.solution->to_record();
   record.numbers = file.numbers;
-  record.texts = {{"problem", file.problem->problem.is_plate() ? "plate" : "poisson"},
+  record.texts = {{"problem", file.problem->kind()},
                   {"x", "x"},
                   {"y", "y"},
                   {"value", file.problem->unknown()},

@@ -45,6 +45,25 @@ void add_result(const SolveAccount& account, Json& json) {
   json["extremes"] = extremes_json(account.extremes);
 }
 
+Json place_json(const StreamExtremes::Place& place) { return {{"value", place.value}, {"x", place.x}, {"y", place.y}}; }
+
+void add_flow(const SolveAccount& account, Json& json) {
+  const auto& [result, stream, streamlines] = *account.flow;
+  json["mu"] = account.file->flow->viscosity;
+  json["levels"] = result.levels;
+  json["iterations"] = result.iterations;
+  json["accuracy"] = result.accuracy;
+  json["dissipation"] = result.dissipation;
+  json["power"] = result.power;
+  json["inflow"] = result.inflow;
+  json["net_inflow"] = result.net_inflow;
+  json["largest_divergence"] = result.largest_divergence;
+  json["psi_min"] = place_json(stream.least);
+  json["psi_max"] = place_json(stream.largest);
+  json["extremes"] = extremes_json(account.extremes);
+  json["streamlines"] = streamlines;
+}
+
 Json modes_json(const SolveAccount& account) {
   Json list = Json::array();
   for (const ModeAccount& mode : account.modes)
@@ -71,16 +90,17 @@ Json report_json(const SolveAccount& account) {
   const Rectangle& region = problem.region;
   Json json;
   json["file"] = account.arguments->problem;
-  json["problem"] = account.is_plate() ? "plate" : "poisson";
+  json["problem"] = account.file->kind();
   json["cells"] = {region.x.cells(), region.y.cells()};
   json["degree"] = problem.degree;
   json["region"] = {region.x.lower(), region.x.upper(), region.y.lower(), region.y.upper()};
   json["unknowns"] = account.unknowns();
   if (account.result) add_result(account, json);
+  if (account.flow) add_flow(account, json);
   if (account.file->modes) json["modes"] = modes_json(account);
   if (account.file->motion) json["frames"] = frames_json(account);
   json["files"] = account.files;
-  if (!account.result) json["cycles"] = account.cycles;
+  if (!account.result && !account.flow) json["cycles"] = account.cycles;
   json["notes"] = account.notes;
   Json seconds = Json::object();
   for (const PhaseTime& time : account.seconds) seconds[time.phase] = seconds.value(time.phase, 0.) + time.seconds;

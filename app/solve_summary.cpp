@@ -23,26 +23,40 @@ std::string side_word(const Side& side, bool is_plate) {
   return "free";
 }
 
+std::string side_word(const StokesSide& side) {
+  if (side.kind == StokesSide::Kind::Symmetry) return "symmetry";
+  if (side.kind == StokesSide::Kind::Free) return "free";
+  return side.u.is_zero() && side.v.is_zero() ? "a wall" : "moving";
+}
+
+std::array<std::string, 4> side_words(const SolveAccount& account) {
+  if (account.file->flow) {
+    const StokesProblem& p = *account.file->flow;
+    return {side_word(p.left), side_word(p.right), side_word(p.bottom), side_word(p.top)};
+  }
+  const auto& [left, right, bottom, top] = account.problem().sides;
+  const bool plate = account.is_plate();
+  return {side_word(left, plate), side_word(right, plate), side_word(bottom, plate), side_word(top, plate)};
+}
+
 /// "all sides clamped", or each of them.
 std::string sides_text(const SolveAccount& account) {
-  const Sides& s = account.problem().sides;
-  std::array<std::string, 4> words;
-  std::size_t k = 0;
-  for (const Side* const side : {&s.left, &s.right, &s.bottom, &s.top})
-    words[k++] = side_word(*side, account.is_plate());
+  const auto words = side_words(account);
   if (std::all_of(words.begin(), words.end(), [&](const std::string& word) { return word == words[0]; }))
     return "all sides " + words[0];
   std::string text;
-  for (k = 0; k < words.size(); ++k) text += (k == 0 ? "" : ", ") + std::string(side_names[k]) + ' ' + words[k];
+  for (std::size_t k = 0; k < words.size(); ++k)
+    text += (k == 0 ? "" : ", ") + std::string(side_names[k]) + ' ' + words[k];
   return text;
 }
 
 std::string problem_line(const SolveAccount& account) {
-  return account.arguments->problem + ": " + (account.is_plate() ? "plate" : "Poisson problem") + ", " +
-         sides_text(account);
+  const char* const kind = account.file->flow ? "slow flow" : account.is_plate() ? "plate" : "Poisson problem";
+  return account.arguments->problem + ": " + kind + ", " + sides_text(account);
 }
 
-std::string place_text(const Extremes::Place& place) {
+template <class Place>
+std::string place_text(const Place& place) {
   return number_text(place.value, 6) + " at (" + number_text(place.x, 6) + ", " + number_text(place.y, 6) + ")";
 }
 
@@ -82,6 +96,17 @@ std::string result_text(const SolveAccount& account) {
          std::to_string(result.iterations) + " V-cycles, accuracy " + number_text(result.accuracy, 2) + ", ";
 }
 
+std::string flow_text(const SolveAccount& account) {
+  const auto& [result, stream, streamlines] = *account.flow;
+  std::string text = "psi from " + place_text(stream.least) + " to " + place_text(stream.largest) + '\n';
+  text += "dissipation " + number_text(result.dissipation, 6) + ", power of the forces " +
+          number_text(result.power, 6) + ", inflow " + number_text(result.inflow, 6) + "; divergence at most " +
+          number_text(result.largest_divergence, 2) + " of |grad v|\n";
+  text += std::to_string(result.iterations) + " V-cycles, accuracy " + number_text(result.accuracy, 2) + ", ";
+  if (streamlines > 0) text += std::to_string(streamlines) + " streamlines, ";
+  return text;
+}
+
 std::string modes_text(const SolveAccount& account) {
   std::string text = " mode      frequency   angular freq.     eigenvalue\n";
   for (std::size_t k = 0; k < account.modes.size(); ++k) {
@@ -110,6 +135,7 @@ std::string summary_of(const SolveAccount& account) {
   std::string text = problem_line(account) + '\n';
   text += grid_text(account.problem().region, account.problem().degree, account.unknowns()) + '\n';
   if (account.result) text += result_text(account);
+  if (account.flow) text += flow_text(account);
   if (account.file->modes) text += modes_text(account);
   if (account.file->motion) text += motion_text(account);
   return text + cost_text(account) + '\n';

@@ -65,7 +65,7 @@ struct Conduction {
 };
 
 /// ∫∫ D (w_xx² + 2 ν w_xx w_yy + w_yy² + 2 (1 - ν) w_xy²) + T |∇w|² + c w² : D Δ²w - T Δw + c w = q for constant D.
-/// D > 0, T >= 0, c >= 0, -1 < ν <= 0.5.
+/// D > 0, T >= 0, c >= 0, -1 <= ν <= 0.5. At ν = -1 x² + y² has no energy either: some side must be clamped then.
 struct KirchhoffPlate {
   Field rigidity = 1;  ///< D
   double poisson_ratio = 0.3;
@@ -74,6 +74,8 @@ struct KirchhoffPlate {
 };
 
 /// What acts on the plate or membrane: f or q over the whole rectangle, and the rest added to it.
+///
+/// Couples act on slopes: they do the work mx ∂u/∂x + my ∂u/∂y.
 struct Loads {
   struct Point {
     double x = 0, y = 0, value = 0;
@@ -86,10 +88,15 @@ struct Loads {
     std::array<double, 2> x = {0, 0}, y = {0, 0};  ///< lower and upper end
     Field q;                                       ///< per unit of area
   };
+  struct Couple {
+    double x = 0, y = 0, mx = 0, my = 0;
+  };
   Field area;
   std::vector<Point> points;
   std::vector<Line> lines;
   std::vector<Patch> patches;
+  Field area_mx, area_my;       ///< couples per unit of area
+  std::vector<Couple> couples;  ///< plates only: slopes of membranes are not bounded at a point
 };
 
 /// Prescribed values inside the rectangle.

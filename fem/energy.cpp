@@ -52,7 +52,7 @@ Energy Energy::conduction(double k, double c) {
 
 Energy Energy::plate(const Plate& p) {
   expect_finite("Energy::plate", "a rigidity > 0", p.rigidity > 0, p.rigidity);
-  expect_finite("Energy::plate", "-1 < Poisson's ratio <= 0.5", p.poisson_ratio > -1 && p.poisson_ratio <= 0.5,
+  expect_finite("Energy::plate", "-1 <= Poisson's ratio <= 0.5", p.poisson_ratio >= -1 && p.poisson_ratio <= 0.5,
                 p.poisson_ratio);
   expect_finite("Energy::plate", "a tension >= 0", p.tension >= 0, p.tension);
   expect_finite("Energy::plate", "a foundation >= 0", p.foundation >= 0, p.foundation);

@@ -35,7 +35,8 @@ public:
   /// k (p_x² + p_y²) + c p². Throws InvalidInput unless k > 0 and c >= 0, both finite.
   static Energy conduction(double k, double c);
   /// D (p_xx² + 2 ν p_xx p_yy + p_yy² + 2 (1 - ν) p_xy²) + T (p_x² + p_y²) + c p², the Kirchhoff plate. Throws
-  /// InvalidInput unless D > 0, -1 < ν <= 0.5, T >= 0 and c >= 0, all finite.
+  /// InvalidInput unless D > 0, -1 <= ν <= 0.5, T >= 0 and c >= 0, all finite. At ν = -1 x² + y² has no energy beside
+  /// the linear functions, unless sides hold it.
   struct Plate {
     double rigidity = 1, poisson_ratio = 0.3, tension = 0, foundation = 0;
   };

@@ -17,6 +17,11 @@ namespace {
                      " at (" + number_text(x, 6) + ", " + number_text(y, 6) + ")");
 }
 
+/// Of derivatives.
+struct Orders {
+  int x = 0, y = 0;
+};
+
 class LoadVector {
 public:
   explicit LoadVector(const BoundaryProblem& problem)
@@ -27,9 +32,10 @@ public:
 
   std::vector<double> take() { return std::move(b_); }
 
-  /// v N_i(x, y) for all i.
-  void add_point(double x, double y, double v) {
-    const auto nx = x_.at(region_.x.to_cells(x)), ny = y_.at(region_.y.to_cells(y));
+  /// v ∂_x^a ∂_y^b N_i(x, y) for all i.
+  void add_point(double x, double y, double v, Orders orders = {}) {
+    const auto nx = x_.at(region_.x.to_cells(x), orders.x), ny = y_.at(region_.y.to_cells(y), orders.y);
+    v *= std::pow(region_.x.finest_cell_length(), -orders.x) * std::pow(region_.y.finest_cell_length(), -orders.y);
     for (int j = 0; j <= y_.degree(); ++j)
       for (int i = 0; i <= x_.degree(); ++i)
         b_[static_cast<std::size_t>(ny.first + j) * x_.size() + nx.first + i] +=
@@ -43,7 +49,8 @@ public:
       for (std::size_t i = 0; i < mx.size(); ++i) b_[j * mx.size() + i] += q * cell * my[j] * mx[i];
   }
 
-  void add_function(const Field& q);
+  /// ∫∫ q ∂_x^a ∂_y^b N_i
+  void add_function(const Field& q, Orders orders = {});
   void add_line(const Loads::Line& line, const Field& factor);
   void add_patch(const Loads::Patch& patch);
 
@@ -62,7 +69,7 @@ private:
   std::vector<double> b_;
 };
 
-void LoadVector::add_function(const Field& q) {
+void LoadVector::add_function(const Field& q, Orders orders) {
   const CellQuadrature gx(x_, x_.degree() + 2), gy(y_, y_.degree() + 2);
   const int n = x_.degree() + 1;
   const std::size_t columns = static_cast<std::size_t>(x_.size());
@@ -81,10 +88,10 @@ void LoadVector::add_function(const Field& q) {
             if (!std::isfinite(value) && !is_bad[r])
               std::tie(is_bad[r], bad[r], bad_x[r], bad_y[r]) = std::tuple(1, value, x, y);
             const double v = value * gx.weight(cx, qx);
-            for (int a = 0; a < n; ++a) line[static_cast<std::size_t>(cx + a)] += v * gx.value(cx, qx, 0, a);
+            for (int a = 0; a < n; ++a) line[static_cast<std::size_t>(cx + a)] += v * gx.value(cx, qx, orders.x, a);
           }
         for (int b = 0; b < n; ++b) {
-          const double v = gy.weight(cy, qy) * gy.value(cy, qy, 0, b);
+          const double v = gy.weight(cy, qy) * gy.value(cy, qy, orders.y, b);
           double* out = b_.data() + static_cast<std::size_t>(cy + b) * columns;
           for (std::size_t i = 0; i < columns; ++i) out[i] += v * line[i];
         }
@@ -147,6 +154,19 @@ void add_fluxes(const BoundaryProblem& problem, LoadVector& b) {
   add(problem.sides.top, {x0, y1}, {x1, y1});
 }
 
+/// Couples do work on the slopes.
+void add_couples(const BoundaryProblem& problem, LoadVector& b) {
+  const auto& loads = problem.loads;
+  if (!loads.couples.empty() && !problem.is_plate())
+    throw InvalidInput("load_vector: expected couples at points of plates only, found them in a Conduction problem");
+  if (!loads.area_mx.is_zero()) b.add_function(loads.area_mx, {1, 0});
+  if (!loads.area_my.is_zero()) b.add_function(loads.area_my, {0, 1});
+  for (const auto& c : loads.couples) {
+    b.add_point(c.x, c.y, c.mx, {1, 0});
+    b.add_point(c.x, c.y, c.my, {0, 1});
+  }
+}
+
 }  // namespace
 
 std::vector<double> load_vector(const BoundaryProblem& problem) {
@@ -159,6 +179,7 @@ std::vector<double> load_vector(const BoundaryProblem& problem) {
   for (const auto& p : loads.points) b.add_point(p.x, p.y, p.value);
   for (const auto& line : loads.lines) b.add_line(line, 1.);
   for (const auto& patch : loads.patches) b.add_patch(patch);
+  add_couples(problem, b);
   add_fluxes(problem, b);
   return b.take();
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace batten {
@@ -99,6 +100,8 @@ struct SideGrid {
   double fixed;                        ///< the coordinate that does not change along the side
   bool vertical;
 
+  std::ptrdiff_t on(int k) const { return start + k * step; }
+  std::ptrdiff_t next(int k) const { return on(k) + inward; }
   Trace trace(const Field& field) const {
     return [&field, this](double s) { return vertical ? field(fixed, s) : field(s, fixed); };
   }
@@ -193,9 +196,7 @@ struct FixedCoefficients {
   Wishes on, next;
 
   bool has(std::ptrdiff_t i) const { return on.has(i) || next.has(i); }
-  double mean(std::ptrdiff_t i) const {
-    return on.has(i) && next.has(i) ? (on.mean(i) + next.mean(i)) / 2 : on.has(i) ? on.mean(i) : next.mean(i);
-  }
+  double mean(std::ptrdiff_t i) const { return on.has(i) ? on.mean(i) : next.mean(i); }
 };
 
 std::vector<double> slopes_of(const SideGrid& s) {
@@ -204,21 +205,81 @@ std::vector<double> slopes_of(const SideGrid& s) {
   return slopes;
 }
 
+/// The L2 projection of the slopes of all sides at once: at a corner two sides share the coefficient next to both, and
+/// the values of one fix the end of the other's slope. Slopes that jump at corners (the lid of a cavity) so are met in
+/// the mean of every spline that can meet them.
+class SlopeProjection {
+public:
+  SlopeProjection(std::vector<const SideGrid*> sides, const Wishes& on) : sides_(std::move(sides)), on_(on) {
+    for (const SideGrid* const s : sides_)
+      for (int k = 0; k < s->along->size(); ++k)
+        if (!on_.has(s->next(k))) number_.emplace(s->next(k), 0);
+    int count = 0;
+    for (auto& [i, number] : number_) number = count++;
+    right_.resize(number_.size());
+    for (const SideGrid* const s : sides_) add(*s);
+  }
+
+  void solve_into(Wishes& next) {
+    if (right_.empty()) return;
+    const auto size = static_cast<Eigen::Index>(right_.size());
+    Eigen::SparseMatrix<double> lower(size, size);
+    lower.setFromTriplets(entries_.begin(), entries_.end());
+    SparseCholesky(lower).solve(right_);
+    for (const auto& [i, number] : number_) next.add(i, right_[static_cast<std::size_t>(number)]);
+  }
+
+private:
+  /// With t the coefficients next to the side and p those on it the slope is Σ (t_k - p_k) N_k / step, hence
+  /// Σ_j M_kj (t_j - p_j) / step² = ∫ slope N_k / step for every t_k that is not fixed.
+  void add(const SideGrid& s) {
+    const auto b = moments(*s.along, s.trace(*s.side->normal), s.name);
+    const auto mass = s.along->inner_products(0);
+    const double step = slope_step(*s.across), unit = s.along->interval().finest_cell_length() / (step * step);
+    const int n = s.along->size(), degree = s.along->degree();
+    for (int k = 0; k < n; ++k) {
+      const auto row = number_.find(s.next(k));
+      if (row == number_.end()) continue;
+      double& right = right_[static_cast<std::size_t>(row->second)];
+      right += b[static_cast<std::size_t>(k)] / step;
+      for (int j = std::max(0, k - degree); j <= std::min(n - 1, k + degree); ++j) {
+        const double m = unit * mass(k, j);
+        const auto column = number_.find(s.next(j));
+        right += m * on_.mean(s.on(j));
+        if (column == number_.end())
+          right -= m * on_.mean(s.next(j));
+        else if (column->second <= row->second)
+          entries_.emplace_back(row->second, column->second, m);
+      }
+    }
+  }
+
+  std::vector<const SideGrid*> sides_;
+  const Wishes& on_;
+  std::map<std::ptrdiff_t, int> number_;  // of the unknown coefficients
+  std::vector<Eigen::Triplet<double>> entries_;
+  std::vector<double> right_;
+};
+
 FixedCoefficients fixed_coefficients(const std::array<SideGrid, 4>& sides, std::size_t size, bool plate) {
   FixedCoefficients fixed{Wishes(size), Wishes(size)};
   for (const auto& s : sides) {
     if (!s.side->value) continue;
     const auto c = projected(*s.along, s.trace(*s.side->value), s.name);
-    for (std::size_t k = 0; k < c.size(); ++k) fixed.on.add(s.start + static_cast<std::ptrdiff_t>(k) * s.step, c[k]);
+    for (int k = 0; k < s.along->size(); ++k) fixed.on.add(s.on(k), c[static_cast<std::size_t>(k)]);
   }
+  std::vector<const SideGrid*> joined;
   for (const auto& s : sides) {
     if (!plate || !s.side->value || !s.side->normal) continue;
-    const auto slopes = slopes_of(s);
-    for (std::size_t k = 0; k < slopes.size(); ++k) {
-      const std::ptrdiff_t i = s.start + static_cast<std::ptrdiff_t>(k) * s.step;
-      fixed.next.add(i + s.inward, fixed.on.mean(i) + slopes[k]);
+    if (!s.along->is_periodic()) {
+      joined.push_back(&s);
+      continue;
     }
+    const auto slopes = slopes_of(s);
+    for (int k = 0; k < s.along->size(); ++k)
+      fixed.next.add(s.next(k), fixed.on.mean(s.on(k)) + slopes[static_cast<std::size_t>(k)]);
   }
+  SlopeProjection(joined, fixed.on).solve_into(fixed.next);
   return fixed;
 }
 

@@ -20,9 +20,11 @@ struct Lifting {
   std::vector<std::string> notes;  ///< where data differ at a corner, or between periodic sides
 };
 
-/// Each side's value and normal derivative are projected onto the splines of that side (L2, the ends interpolated), and
-/// determine the first coefficients from there, those further inside are blended between the sides. Where two sides ask
-/// different things of a coefficient at a corner it takes their mean. Throws InvalidInput for data that are not finite.
+/// Each side's value and normal derivative are projected onto the splines of that side (L2, the ends of values
+/// interpolated), and determine the first coefficients from there, those further inside are blended between the sides.
+/// Where values of two sides differ at a corner the coefficient takes their mean. Slopes give way to values, and those
+/// of sides that have both are projected at once, as two sides share a coefficient near a corner. Throws InvalidInput
+/// for data that are not finite.
 Lifting lifting(const BoundaryProblem& problem);
 
 }  // namespace batten

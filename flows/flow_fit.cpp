@@ -5,6 +5,7 @@
 #include <batten/fem/difference_form.h>
 #include <batten/fem/near_interpolation.h>
 #include <batten/flows/coupled_problem.h>
+#include <batten/flows/divergence_share.h>
 #include <batten/flows/extended_problem.h>
 #include <batten/flows/flow_data.h>
 
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <random>
 #include <utility>
 
 namespace batten {
@@ -156,30 +156,6 @@ FlowField field_of(const FlowOptions& options, const ScaledFit& fit, const FlowD
   return given_to_stream(
       FlowField(std::move(part), in_units(c.last(space.size()), scale, data.null_potential, space, region)), space,
       data.null_element);
-}
-
-/// Largest |u_x + v_y| over largest |∇v| by central differences.
-double divergence_share(const FlowField& field, std::uint64_t seed) {
-  constexpr int points = 2000;
-  constexpr double part_of_cell = 1e-3;
-  const auto &ix = field.region().x, &iy = field.region().y;
-  const double dx = part_of_cell * ix.finest_cell_length(), dy = part_of_cell * iy.finest_cell_length();
-  std::mt19937_64 random(seed);
-  const auto within = [&](const Interval& interval, double margin) {
-    const double share = static_cast<double>(random() >> 11) * 0x1p-53;
-    return interval.lower() + margin + share * (interval.length() - 2 * margin);
-  };
-  double divergence = 0, gradient = 0;
-  for (int k = 0; k < points; ++k) {
-    const double x = within(ix, dx), y = within(iy, dy);
-    const auto left = field.velocity(x - dx, y), right = field.velocity(x + dx, y);
-    const auto low = field.velocity(x, y - dy), high = field.velocity(x, y + dy);
-    const double u_x = (right.u - left.u) / (2 * dx), v_x = (right.v - left.v) / (2 * dx);
-    const double u_y = (high.u - low.u) / (2 * dy), v_y = (high.v - low.v) / (2 * dy);
-    divergence = std::max(divergence, std::abs(u_x + v_y));
-    gradient = std::max(gradient, std::sqrt(u_x * u_x + v_x * v_x + u_y * u_y + v_y * v_y));
-  }
-  return gradient > 0 ? divergence / gradient : 0;
 }
 
 /// Residuals and fitted velocities in the units of the observations.

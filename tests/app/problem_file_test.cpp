@@ -184,9 +184,10 @@ TEST(ProblemFile, refuses_other_problems) {
   EXPECT_THAT(
       refusal("problem = \"plates\"\n"),
       StartsWith("p.toml:1:11: problem: unknown problem \"plates\"; did you mean \"plate\"? Known are poisson, plate"));
-  EXPECT_THAT(refusal("problem = 3\n"), HasSubstr("problem: \"poisson\" or \"plate\" is expected, found the number 3"));
+  EXPECT_THAT(refusal("problem = 3\n"),
+              HasSubstr("problem: \"poisson\", \"plate\" or \"stokes\" is expected, found the number 3"));
   EXPECT_THAT(refusal("x = [0, 1]\n"),
-              HasSubstr("p.toml: the key 'problem' is missing; \"poisson\" or \"plate\" is expected"));
+              HasSubstr("p.toml: the key 'problem' is missing; \"poisson\", \"plate\" or \"stokes\" is expected"));
 }
 
 TEST(ProblemFile, refuses_a_bad_region) {

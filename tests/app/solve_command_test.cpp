@@ -22,7 +22,7 @@ nlohmann::json json_of(const Folder& folder, const std::string& name) {
   return nlohmann::json::parse(folder.read(name));
 }
 
-const std::vector<std::string> template_names = {"poisson", "plate", "heat", "vibration", "foundation"};
+const std::vector<std::string> template_names = {"poisson", "plate", "heat", "vibration", "foundation", "stokes"};
 
 TEST(SolveCommand, prints_templates) {
   const Folder folder;
@@ -31,7 +31,7 @@ TEST(SolveCommand, prints_templates) {
     EXPECT_EQ(run.out, problem_template(name));
   }
   expect_refusal(run_batten(folder, words("solve --template stoks")), 2,
-                 "there is no template 'stoks'; there are poisson, plate, heat, vibration, foundation");
+                 "there is no template 'stoks'; there are poisson, plate, heat, vibration, foundation, stokes");
 }
 
 TEST(SolveCommand, refuses_bad_command_lines) {
@@ -167,7 +167,7 @@ TEST_F(Solving, shows_its_progress_on_a_terminal) {
 }
 
 TEST_F(Solving, solves_the_templates_of_problems_at_rest) {
-  for (const std::string name : {"poisson", "plate", "foundation"}) {
+  for (const std::string name : {"poisson", "plate", "foundation", "stokes"}) {
     folder_.write("p.toml", problem_template(name));
     expect_success(folder_, "solve p.toml -o " + name + ".vti --quiet");
   }

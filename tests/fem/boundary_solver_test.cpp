@@ -261,6 +261,46 @@ TEST(BoundarySolver, holds_pegs_and_lines_of_membranes) {
   }
 }
 
+TEST(BoundarySolver, takes_a_couple_as_the_limit_of_two_forces) {
+  constexpr double apart = 1e-3;
+  auto by_couple = plate(16, 5, Side::clamped()), by_forces = by_couple;
+  by_couple.loads.area = by_forces.loads.area = 0.;
+  by_couple.loads.couples = {{0.3, 0.6, 2, -1}};
+  by_forces.loads.points = {{0.3 + apart, 0.6, 1 / apart},
+                            {0.3 - apart, 0.6, -1 / apart},
+                            {0.3, 0.6 + apart, -0.5 / apart},
+                            {0.3, 0.6 - apart, 0.5 / apart}};
+  const auto couple = solve_boundary_problem(by_couple), forces = solve_boundary_problem(by_forces);
+  for (const auto& [x, y] : {std::pair{0.5, 0.5}, {0.7, 0.2}, {0.2, 0.8}})
+    EXPECT_NEAR(couple.solution.value(x, y), forces.solution.value(x, y), 1e-5) << x << ' ' << y;
+  EXPECT_NEAR(couple.compliance,
+              2 * couple.solution.derivative(0.3, 0.6, 1, 0) - couple.solution.derivative(0.3, 0.6, 0, 1), 1e-10);
+}
+
+TEST(BoundarySolver, takes_couples_everywhere_as_the_load_of_their_divergence) {
+  auto by_couples = plate(12, 3, Side::clamped()), by_load = by_couples;
+  by_couples.loads.area = 0.;
+  by_couples.loads.area_mx = Field([](double x, double y) { return x * x * y; });
+  by_couples.loads.area_my = 5;
+  by_load.loads.area = Field([](double x, double y) { return -2 * x * y; });
+  const auto a = solve_boundary_problem(by_couples).solution, b = solve_boundary_problem(by_load).solution;
+  for (const auto& [x, y] : {std::pair{0.5, 0.5}, {0.7, 0.2}, {0.2, 0.8}})
+    EXPECT_NEAR(a.value(x, y), b.value(x, y), 1e-12 * std::abs(b.value(x, y))) << x << ' ' << y;
+}
+
+TEST(BoundarySolver, keeps_values_at_a_corner_where_slopes_ask_for_others) {
+  for (const int degree : {2, 3, 5}) {
+    auto problem = plate(12, degree, Side::clamped());
+    problem.sides.top = Side::clamped(0., 1.);
+    const auto w = solve_boundary_problem(problem).solution;
+    for (const double s : {0., 0.02, 0.5, 0.93, 0.99, 1.}) {
+      EXPECT_NEAR(w.value(s, 1), 0, 1e-16) << degree;
+      EXPECT_NEAR(w.value(0, s), 0, 1e-16) << degree;
+    }
+    EXPECT_NEAR(w.derivative(0.5, 1, 0, 1), 1, 1e-2) << degree;
+  }
+}
+
 TEST(BoundarySolver, averages_corner_values_that_differ_and_says_so) {
   auto problem = membrane(16, 2, Side::fixed());
   problem.sides.left = Side::fixed(1.);
@@ -326,6 +366,9 @@ TEST(BoundarySolver, refuses_coefficients_and_loads_out_of_range_and_says_where)
   problem.material = Conduction{};
   problem.loads.area = Field([](double x, double) { return std::sqrt(x - 0.5); });
   EXPECT_NE(refusal(problem).find("expected a finite load, found -nan at (0.0"), std::string::npos) << refusal(problem);
+  problem.loads.area = 0;
+  problem.loads.couples = {{0.5, 0.5, 1, 0}};
+  EXPECT_NE(refusal(problem).find("couples at points of plates only"), std::string::npos) << refusal(problem);
 }
 
 }  // namespace
