@@ -172,8 +172,7 @@ void multiply_rows(double factor, const double* a, const double* b, double* __re
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
 double
-sum_of_changes(const double* s, const double* x, double scale, const double* first, const double* r,
-               std::ptrdiff_t n) {
+sum_of_changes(const double* s, const double* x, double scale, const double* first, const double* r, std::ptrdiff_t n) {
   double sum = 0;
 #pragma omp simd reduction(+ : sum)
   for (std::ptrdiff_t i = 0; i < n; ++i) {

@@ -8,15 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <numeric>
 
 namespace batten {
 namespace {
 
-#ifndef PANEL
-#define PANEL 4096
-#endif
-constexpr int panel_columns = PANEL;               // whose rings fit in the first-level cache
+constexpr int panel_columns = 4096;                // the rings of so many fit in the second-level cache
 constexpr int margin = 8;                          // columns beyond a panel that its steps take in, a cache line
 constexpr int most_steps = 4;                      // which need no more than the margin
 constexpr int inner_weights = 7, end_weights = 9;  // in a row of them

@@ -15,9 +15,9 @@ namespace batten {
 ///
 ///   x_k = x_k-1 + keep (x_k-1 - x_k-2) + g M^-1 (b - A x_k-1)
 ///
-/// reads three rows of x_k-1 and one of b and x_k-2 and writes one. Residuals are formed anew from b and x. Panels of
-/// columns are so narrow that the rings of all steps stay in the first-level cache. Columns at the ends, where weights
-/// differ, follow one by one.
+/// reads three rows of x_k-1 and one of b and x_k-2 and writes one. Residuals are formed anew from b and x. Columns at
+/// the ends, where weights differ, follow one by one. Panels are as wide as the second-level cache allows: the rows of
+/// one are then long enough for the processor to foresee.
 class BilinearSmoother {
 public:
   /// `steps` applications of A before and after; a single one before only. The level, of degree 1, is kept by
