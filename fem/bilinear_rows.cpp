@@ -19,6 +19,13 @@ using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
   return v;
 }
 [[gnu::always_inline]] inline void store(Lanes v, double* p) { std::memcpy(p, &v, sizeof v); }
+/// The first n lanes.
+[[gnu::always_inline]] inline void store_within(Lanes v, double* p, std::ptrdiff_t n) {
+  if (n >= lanes)
+    store(v, p);
+  else
+    std::memcpy(p, &v, static_cast<std::size_t>(n) * sizeof(double));
+}
 
 /// (a_1 .. a_7, b_0) and the like, by the number of lanes of b.
 [[gnu::always_inline]] inline Lanes shifted_1(Lanes a, Lanes b) {
@@ -54,7 +61,7 @@ template <bool has_before>
     const Lanes beside = shifted_7(left, at.far) + shifted_1(at.far, right.far);
     Lanes value = gain * load(right_side + i) + (at.near + beside);
     if constexpr (has_before) value -= keep * load(before + i);
-    store(value, out + i);
+    store_within(value, out + i, n - i);
     left = at.far;
     at = right;
   }
@@ -68,9 +75,9 @@ Lanes sum_within(const RowSum& sum, std::ptrdiff_t i, std::ptrdiff_t first, std:
   return load(v);
 }
 
-template <int count>
-[[gnu::always_inline]] inline void refine(const BetweenWeights& weights, const RowSum& c, std::ptrdiff_t first,
-                                          std::ptrdiff_t end, double* out, std::ptrdiff_t n) {
+template <int count, bool adds>
+[[gnu::always_inline]] inline void refine(const BetweenWeights& weights, const double* add, const RowSum& c,
+                                          std::ptrdiff_t first, std::ptrdiff_t end, double* out, std::ptrdiff_t n) {
   const auto [all, w, rows] = c;
   const auto sum = [&](std::ptrdiff_t i) [[gnu::always_inline]] {
     if (i < first || i + lanes > end) return sum_within(c, i, first, end);
@@ -84,11 +91,26 @@ template <int count>
     const Lanes right = sum(i + lanes);
     const Lanes on = even * at;
     const Lanes between = near * (at + shifted_1(at, right)) + far * (shifted_7(left, at) + shifted_2(at, right));
-    store(__builtin_shufflevector(on, between, 0, 8, 1, 9, 2, 10, 3, 11), out + 2 * i);
-    store(__builtin_shufflevector(on, between, 4, 12, 5, 13, 6, 14, 7, 15), out + 2 * i + lanes);
+    Lanes lower = __builtin_shufflevector(on, between, 0, 8, 1, 9, 2, 10, 3, 11);
+    Lanes upper = __builtin_shufflevector(on, between, 4, 12, 5, 13, 6, 14, 7, 15);
+    if constexpr (adds) {
+      lower += load(add + 2 * i);
+      upper += load(add + 2 * i + lanes);
+    }
+    store(lower, out + 2 * i);
+    store(upper, out + 2 * i + lanes);
     left = at;
     at = right;
   }
+}
+
+template <bool adds>
+[[gnu::always_inline]] inline void refine(const BetweenWeights& weights, const double* add, const RowSum& c,
+                                          std::ptrdiff_t first, std::ptrdiff_t end, double* out, std::ptrdiff_t n) {
+  if (c.count == 1) return refine<1, adds>(weights, add, c, first, end, out, n);
+  if (c.count == 2) return refine<2, adds>(weights, add, c, first, end, out, n);
+  if (c.count == 3) return refine<3, adds>(weights, add, c, first, end, out, n);
+  refine<4, adds>(weights, add, c, first, end, out, n);
 }
 
 template <int count>
@@ -106,10 +128,7 @@ template <int count>
     const Lanes on = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
     const Lanes odd = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
     const Lanes value = even * on + near * (shifted_7(odd_before, odd) + odd);
-    if (n - i >= lanes)
-      store(value, out + i);
-    else
-      std::memcpy(out + i, &value, static_cast<std::size_t>(n - i) * sizeof(double));
+    store_within(value, out + i, n - i);
     odd_before = odd;
   }
 }
@@ -126,12 +145,9 @@ void bilinear_row(const BilinearWeights& weights, const BilinearInputs& in, doub
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void refine_row(const BetweenWeights& weights, const RowSum& c, std::ptrdiff_t first, std::ptrdiff_t end, double* out,
-                std::ptrdiff_t n) {
-  if (c.count == 1) return refine<1>(weights, c, first, end, out, n);
-  if (c.count == 2) return refine<2>(weights, c, first, end, out, n);
-  if (c.count == 3) return refine<3>(weights, c, first, end, out, n);
-  refine<4>(weights, c, first, end, out, n);
+void refine_row(const BetweenWeights& weights, const double* add, const RowSum& c, std::ptrdiff_t first,
+                std::ptrdiff_t end, double* out, std::ptrdiff_t n) {
+  add ? refine<true>(weights, add, c, first, end, out, n) : refine<false>(weights, add, c, first, end, out, n);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)

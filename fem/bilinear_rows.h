@@ -5,8 +5,8 @@
 
 namespace batten {
 
-// The parts of rows that BilinearSmoother works on. Rows in rings begin with a cache line and have one more on both
-// sides; whole lines of them are written, so that what stands behind n numbers is lost.
+// The parts of rows that BilinearSmoother works on. Whole cache lines are read. Rows in rings begin with a line and
+// have one more on both sides.
 
 /// Three rows of nine weights that are even in the columns: of the column itself and of its two neighbours.
 struct BilinearWeights {
@@ -20,7 +20,7 @@ struct BilinearInputs {
   const double* before;   // null for 0
   const double* soon[2];  // what is read or written next, to be asked for
 };
-/// out_i = gain b_i - keep before_i + Σ_q (near_q c_q,i + far_q (c_q,i-1 + c_q,i+1)), all in rings.
+/// out_i = gain b_i - keep before_i + Σ_q (near_q c_q,i + far_q (c_q,i-1 + c_q,i+1)), c in rings.
 void bilinear_row(const BilinearWeights& weights, const BilinearInputs& in, double* out, std::ptrdiff_t n);
 
 /// Up to four rows and their weights in a sum.
@@ -30,12 +30,13 @@ struct RowSum {
   const double* rows[4];
 };
 /// Values at and between coarse ones c, which may be read from column `first` to before `end`:
-/// out_2i = even c_i, out_2i+1 = near (c_i + c_i+1) + far (c_i-1 + c_i+2), for 2 n values of the result, in a ring.
+/// out_2i = even c_i, out_2i+1 = near (c_i + c_i+1) + far (c_i-1 + c_i+2), for 2 n values of the result, in a ring;
+/// plus `add` if that is not null, of which whole lines are read too.
 struct BetweenWeights {
   double even, near, far;
 };
-void refine_row(const BetweenWeights& weights, const RowSum& c, std::ptrdiff_t first, std::ptrdiff_t end, double* out,
-                std::ptrdiff_t n);
+void refine_row(const BetweenWeights& weights, const double* add, const RowSum& c, std::ptrdiff_t first,
+                std::ptrdiff_t end, double* out, std::ptrdiff_t n);
 /// out_i = even r_2i + near (r_2i-1 + r_2i+1) for n values of the result; r in rings, out not.
 void restrict_row(double even, double near, const RowSum& r, double* out, std::ptrdiff_t n);
 

@@ -132,19 +132,19 @@ private:
     if (stage == 0) return bring(j);
     if (stage > steps_) return finish(j);
     step(stage, j);
-    if (stage == last_) copy_row(x(stage)[j] + own_.begin, job_.x + at(j) + own_.begin, own_.end - own_.begin);
   }
 
+  /// True if whole cache lines can be read of row j of a vector in memory.
+  bool has_more_behind(int j) const { return at(j) + all_.end + 2 * margin <= at(rows_); }
+  /// Row j of b, where its column 0 would be: a copy where there is not enough behind it.
+  const double* b(int j) const { return has_more_behind(j) ? job_.b + at(j) : b_[j]; }
+
   void bring(int j) {
-    const int n = size();
-    copy_row(job_.b + at(j) + all_.begin, b_[j] + all_.begin, n);
-    const double* given = job_.start.given ? job_.start.given + at(j) + all_.begin : nullptr;
-    if (job_.start.coarse) {
+    if (!has_more_behind(j)) copy_row(job_.b + at(j) + all_.begin, b_[j] + all_.begin, size());
+    if (job_.start.coarse)
       refine(j);
-      if (given) add_row(given, x(0)[j] + all_.begin, n);
-    } else if (given) {
-      copy_row(given, x(0)[j] + all_.begin, n);
-    }
+    else if (job_.start.given)
+      copy_row(job_.start.given + at(j) + all_.begin, x(0)[j] + all_.begin, size());
   }
 
   /// Row j of the refined start.
@@ -156,15 +156,25 @@ private:
       table[static_cast<std::size_t>(q)] =
           job_.start.coarse + static_cast<std::ptrdiff_t>(refinement.first_row(j) + q) * refinement.input_columns();
     double* row = x(0)[j];
-    if (!is_halved(term.x)) return refinement.row(j, table.data(), all_, row + all_.begin);
+    const double* given = job_.start.given ? job_.start.given + at(j) : nullptr;
+    if (!is_halved(term.x)) {
+      refinement.row(j, table.data(), all_, row + all_.begin);
+      if (given) add_row(given + all_.begin, row + all_.begin, size());
+      return;
+    }
     const RowSum c = row_sum(term, j, table.data(), all_.begin / 2);
     const ColumnRange inner = {std::clamp(term.x.begin, all_.begin, all_.end),
                                std::clamp(term.x.end, all_.begin, all_.end)};
     const int even = (term.x.begin + 1) / 2 * 2, coarse = even / 2;  // of the columns that repeat
     const BetweenWeights weights = {term.x(even, coarse), term.x(even + 1, coarse), term.x(even + 1, coarse - 1)};
-    refine_row(weights, c, -all_.begin / 2, term.x.columns - all_.begin / 2, row + all_.begin, (size() + 1) / 2);
-    single_columns(term.x, c, all_.begin / 2, {all_.begin, inner.begin}, row);
-    single_columns(term.x, c, all_.begin / 2, {inner.end, all_.end}, row);
+    const bool adds = given && has_more_behind(j);
+    refine_row(weights, adds ? given + all_.begin : nullptr, c, -all_.begin / 2, term.x.columns - all_.begin / 2,
+               row + all_.begin, (size() + 1) / 2);
+    if (given && !adds) add_row(given + inner.begin, row + inner.begin, inner.end - inner.begin);
+    for (const ColumnRange ends : {ColumnRange{all_.begin, inner.begin}, ColumnRange{inner.end, all_.end}}) {
+      single_columns(term.x, c, all_.begin / 2, ends, row);
+      if (given) add_row(given + ends.begin, row + ends.begin, ends.end - ends.begin);
+    }
   }
 
   /// The y part of row j of a product, its input from a column on, without the rows of weight 0 at the ends.
@@ -198,19 +208,19 @@ private:
 
   /// out = gain b - keep before + (from - gain λ E) c_j in the inner columns, from and gain in units of M^-1 if asked.
   void stencil(int stage, int j, const Ring& c, double from, double gain, double keep, const double* before,
-               double* out) const {
+               ColumnRange range, double* out) const {
     const double* w = s_.weights_.row(j);
     BilinearWeights weights;
     for (int q = 0; q < 3; ++q) weights.near[q] = -gain * w[q], weights.far[q] = -gain * w[3 + q];
     weights.near[1] += from;
-    const std::ptrdiff_t at = all_.begin;
+    const std::ptrdiff_t at = range.begin;
     const BilinearInputs in = {{c[std::max(j - 1, 0)] + at, c[j] + at, c[std::min(j + 1, rows_ - 1)] + at},
                                gain,
-                               b_[j] + at,
+                               b(j) + at,
                                keep,
                                before ? before + at : nullptr,
                                {soon(stage, j, 0) + at, soon(stage, j, 1) + at}};
-    bilinear_row(weights, in, out + at, size());
+    bilinear_row(weights, in, out + at, range.end - range.begin);
   }
 
   /// What the next rows need from memory: a pass starts too many rows for the processor to foresee it. The first
@@ -228,7 +238,7 @@ private:
     const double* w = s_.weights_.row(j) + inner_weights;
     for (const int i : s_.end_columns_) {
       if (i >= all_.begin && i < all_.end) {
-        double r = b_[j][i];
+        double r = b(j)[i];
         for (int q = 0; q < 3; ++q)
           r -= w[3 * q] * rows[q][i - 1] + w[3 * q + 1] * rows[q][i] + w[3 * q + 2] * rows[q][i + 1];
         visit(i, r);
@@ -240,14 +250,17 @@ private:
   /// Row j of x_k.
   void step(int k, int j) const {
     const auto [keep, gain] = s_.steps_[static_cast<std::size_t>(k - 1)];
-    double* out = x(k)[j];
+    const bool is_result = k == last_;  // of `ascend`
+    const ColumnRange range = is_result ? own_ : all_;
+    double* out = is_result ? job_.x + at(j) : x(k)[j];
     const double* inverse = s_.inverse_.row(j);
     if (k == 1 && !has_start_)
-      return multiply_rows(gain, inverse + all_.begin, b_[j] + all_.begin, out + all_.begin, size());
+      return multiply_rows(gain, inverse + all_.begin, b(j) + all_.begin, out + all_.begin, size());
     const double* before = k == 2 && !has_start_ ? nullptr : k > 1 ? x(k - 2)[j] : nullptr;
     const Ring& c = x(k - 1);
-    stencil(k, j, c, 1 + keep, gain * s_.weights_.row(j)[6], keep, before, out);
+    stencil(k, j, c, 1 + keep, gain * s_.weights_.row(j)[6], keep, before, range, out);
     for_ends(j, c, [&, keep = keep, gain = gain](int i, double r) {
+      if (i < range.begin || i >= range.end) return;
       const double value = c[j][i];
       out[i] = value + keep * (before ? value - before[i] : value) + gain * (inverse[i] * r);
     });
@@ -256,7 +269,7 @@ private:
   /// The last residual, x and the part of the product that `measure` asks for.
   void finish(int j) {
     double* r = r_[j];
-    stencil(steps_ + 1, j, x(steps_), 0, 1, 0, nullptr, r);
+    stencil(steps_ + 1, j, x(steps_), 0, 1, 0, nullptr, all_, r);
     for_ends(j, x(steps_), [r](int i, double value) { r[i] = value; });
     if (is_own(j)) {
       copy_row(x(steps_)[j] + own_.begin, job_.x + at(j) + own_.begin, own_.end - own_.begin);
