@@ -4,160 +4,257 @@
 #include <algorithm>
 #include <cstring>
 
-// Compiled for the instruction sets of the x86-64 levels and chosen at start, as the kernels of TensorSum are.
-// Neighbours come from shuffled registers: to load them from between cache lines takes twice as long.
+// Neighbours come from shuffled registers: to load them from between cache lines takes twice as long. Registers of
+// eight numbers are for x86-64-v4 alone, elsewhere such shuffles are compiled lane by lane; the other instruction sets
+// are chosen at start, as for the kernels of TensorSum.
 
 namespace batten {
 namespace {
 
-constexpr int lanes = 8;
-using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
+using Eight [[gnu::vector_size(8 * sizeof(double))]] = double;
+using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+using Two [[gnu::vector_size(2 * sizeof(double))]] = double;
 
+template <typename Lanes>
+constexpr std::ptrdiff_t lanes = sizeof(Lanes) / sizeof(double);
+
+template <typename Lanes>
 [[gnu::always_inline]] inline Lanes load(const double* p) {
   Lanes v;
   std::memcpy(&v, p, sizeof v);
   return v;
 }
-[[gnu::always_inline]] inline void store(Lanes v, double* p) { std::memcpy(p, &v, sizeof v); }
+template <typename Lanes>
+[[gnu::always_inline]] inline void store(Lanes v, double* p) {
+  std::memcpy(p, &v, sizeof v);
+}
 /// The first n lanes.
+template <typename Lanes>
 [[gnu::always_inline]] inline void store_within(Lanes v, double* p, std::ptrdiff_t n) {
-  if (n >= lanes)
+  if (n >= lanes<Lanes>)
     store(v, p);
   else
     std::memcpy(p, &v, static_cast<std::size_t>(n) * sizeof(double));
 }
 
-/// (a_1 .. a_7, b_0) and the like, by the number of lanes of b.
-[[gnu::always_inline]] inline Lanes shifted_1(Lanes a, Lanes b) {
+/// As many lanes of a and b, one after another, as one of them has: from lane 1 on, from 2 on, from the last of a on.
+[[gnu::always_inline]] inline Eight from_1(Eight a, Eight b) {
   return __builtin_shufflevector(a, b, 1, 2, 3, 4, 5, 6, 7, 8);
 }
-[[gnu::always_inline]] inline Lanes shifted_2(Lanes a, Lanes b) {
+[[gnu::always_inline]] inline Four from_1(Four a, Four b) { return __builtin_shufflevector(a, b, 1, 2, 3, 4); }
+[[gnu::always_inline]] inline Two from_1(Two a, Two b) { return __builtin_shufflevector(a, b, 1, 2); }
+[[gnu::always_inline]] inline Eight from_2(Eight a, Eight b) {
   return __builtin_shufflevector(a, b, 2, 3, 4, 5, 6, 7, 8, 9);
 }
-[[gnu::always_inline]] inline Lanes shifted_7(Lanes a, Lanes b) {
+[[gnu::always_inline]] inline Four from_2(Four a, Four b) { return __builtin_shufflevector(a, b, 2, 3, 4, 5); }
+[[gnu::always_inline]] inline Two from_2(Two, Two b) { return b; }
+[[gnu::always_inline]] inline Eight from_last(Eight a, Eight b) {
   return __builtin_shufflevector(a, b, 7, 8, 9, 10, 11, 12, 13, 14);
 }
+[[gnu::always_inline]] inline Four from_last(Four a, Four b) { return __builtin_shufflevector(a, b, 3, 4, 5, 6); }
+[[gnu::always_inline]] inline Two from_last(Two a, Two b) { return from_1(a, b); }
+
+template <typename Lanes>
+struct Pair {
+  Lanes first, second;
+};
+/// a_0 b_0 a_1 b_1 ...
+[[gnu::always_inline]] inline Pair<Eight> zipped(Eight a, Eight b) {
+  return {__builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11),
+          __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15)};
+}
+[[gnu::always_inline]] inline Pair<Four> zipped(Four a, Four b) {
+  return {__builtin_shufflevector(a, b, 0, 4, 1, 5), __builtin_shufflevector(a, b, 2, 6, 3, 7)};
+}
+[[gnu::always_inline]] inline Pair<Two> zipped(Two a, Two b) {
+  return {__builtin_shufflevector(a, b, 0, 2), __builtin_shufflevector(a, b, 1, 3)};
+}
+/// The even lanes of both, and the odd ones.
+[[gnu::always_inline]] inline Pair<Eight> unzipped(Eight a, Eight b) {
+  return {__builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14),
+          __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15)};
+}
+[[gnu::always_inline]] inline Pair<Four> unzipped(Four a, Four b) {
+  return {__builtin_shufflevector(a, b, 0, 2, 4, 6), __builtin_shufflevector(a, b, 1, 3, 5, 7)};
+}
+[[gnu::always_inline]] inline Pair<Two> unzipped(Two a, Two b) { return zipped(a, b); }
 
 /// What a vector of columns of the three rows gives to itself and to its neighbours.
+template <typename Lanes>
 struct Parts {
   Lanes near, far;
 };
 
-template <bool has_before>
+template <typename Lanes, bool has_before>
 [[gnu::always_inline]] inline void stencil(const BilinearWeights& weights, const BilinearInputs& in, double* out,
                                            std::ptrdiff_t n) {
   const auto [near, far] = weights;
   const auto [rows, gain, right_side, keep, before, soon] = in;
   const auto parts = [&](std::ptrdiff_t i) [[gnu::always_inline]] {
-    const Lanes a = load(rows[0] + i), b = load(rows[1] + i), c = load(rows[2] + i);
-    return Parts{near[0] * a + near[1] * b + near[2] * c, far[0] * a + far[1] * b + far[2] * c};
+    const Lanes a = load<Lanes>(rows[0] + i), b = load<Lanes>(rows[1] + i), c = load<Lanes>(rows[2] + i);
+    return Parts<Lanes>{near[0] * a + near[1] * b + near[2] * c, far[0] * a + far[1] * b + far[2] * c};
   };
-  Lanes left = parts(-lanes).far;
-  Parts at = parts(0);
-  for (std::ptrdiff_t i = 0; i < n; i += lanes) {
+  Lanes left = parts(-lanes<Lanes>).far;
+  Parts<Lanes> at = parts(0);
+  for (std::ptrdiff_t i = 0; i < n; i += lanes<Lanes>) {
     __builtin_prefetch(soon[0] + i);
     __builtin_prefetch(soon[1] + i);
-    const Parts right = parts(i + lanes);
-    const Lanes beside = shifted_7(left, at.far) + shifted_1(at.far, right.far);
-    Lanes value = gain * load(right_side + i) + (at.near + beside);
-    if constexpr (has_before) value -= keep * load(before + i);
+    const Parts<Lanes> right = parts(i + lanes<Lanes>);
+    const Lanes beside = from_last(left, at.far) + from_1(at.far, right.far);
+    Lanes value = gain * load<Lanes>(right_side + i) + (at.near + beside);
+    if constexpr (has_before) value -= keep * load<Lanes>(before + i);
     store_within(value, out + i, n - i);
     left = at.far;
     at = right;
   }
 }
 
-/// Lanes i .. of the sum; 0 for those that are not in first .. end - 1.
-Lanes sum_within(const RowSum& sum, std::ptrdiff_t i, std::ptrdiff_t first, std::ptrdiff_t end) {
-  double v[lanes] = {};
-  for (std::ptrdiff_t k = std::max(i, first); k < std::min(i + lanes, end); ++k)
-    for (int q = 0; q < sum.count; ++q) v[k - i] += sum.weights[q] * sum.rows[q][k];
-  return load(v);
+/// Numbers i .. i + count - 1 of the sum; 0 for those that are not in first .. end - 1.
+void sum_within(const RowSum& sum, std::ptrdiff_t i, std::ptrdiff_t count, std::ptrdiff_t first, std::ptrdiff_t end,
+                double* out) {
+  std::fill_n(out, count, 0.);
+  for (std::ptrdiff_t k = std::max(i, first); k < std::min(i + count, end); ++k)
+    for (int q = 0; q < sum.count; ++q) out[k - i] += sum.weights[q] * sum.rows[q][k];
 }
 
-template <int count, bool adds>
+template <typename Lanes, int count, bool adds>
 [[gnu::always_inline]] inline void refine(const BetweenWeights& weights, const double* add, const RowSum& c,
                                           std::ptrdiff_t first, std::ptrdiff_t end, double* out, std::ptrdiff_t n) {
   const auto [all, w, rows] = c;
   const auto sum = [&](std::ptrdiff_t i) [[gnu::always_inline]] {
-    if (i < first || i + lanes > end) return sum_within(c, i, first, end);
-    Lanes v = w[0] * load(rows[0] + i);
-    for (int q = 1; q < count; ++q) v += w[q] * load(rows[q] + i);
+    if (i < first || end < i + lanes<Lanes>) {
+      double part[lanes<Lanes>];
+      sum_within(c, i, lanes<Lanes>, first, end, part);
+      return load<Lanes>(part);
+    }
+    Lanes v = w[0] * load<Lanes>(rows[0] + i);
+    for (int q = 1; q < count; ++q) v += w[q] * load<Lanes>(rows[q] + i);
     return v;
   };
   const auto [even, near, far] = weights;
-  Lanes left = sum(-lanes), at = sum(0);
-  for (std::ptrdiff_t i = 0; i < n; i += lanes) {
-    const Lanes right = sum(i + lanes);
+  Lanes left = sum(-lanes<Lanes>), at = sum(0);
+  for (std::ptrdiff_t i = 0; i < n; i += lanes<Lanes>) {
+    const Lanes right = sum(i + lanes<Lanes>);
     const Lanes on = even * at;
-    const Lanes between = near * (at + shifted_1(at, right)) + far * (shifted_7(left, at) + shifted_2(at, right));
-    Lanes lower = __builtin_shufflevector(on, between, 0, 8, 1, 9, 2, 10, 3, 11);
-    Lanes upper = __builtin_shufflevector(on, between, 4, 12, 5, 13, 6, 14, 7, 15);
+    const Lanes between = near * (at + from_1(at, right)) + far * (from_last(left, at) + from_2(at, right));
+    auto [lower, upper] = zipped(on, between);
     if constexpr (adds) {
-      lower += load(add + 2 * i);
-      upper += load(add + 2 * i + lanes);
+      lower += load<Lanes>(add + 2 * i);
+      upper += load<Lanes>(add + 2 * i + lanes<Lanes>);
     }
     store(lower, out + 2 * i);
-    store(upper, out + 2 * i + lanes);
+    store(upper, out + 2 * i + lanes<Lanes>);
     left = at;
     at = right;
   }
 }
 
-template <bool adds>
+template <typename Lanes, bool adds>
 [[gnu::always_inline]] inline void refine(const BetweenWeights& weights, const double* add, const RowSum& c,
                                           std::ptrdiff_t first, std::ptrdiff_t end, double* out, std::ptrdiff_t n) {
-  if (c.count == 1) return refine<1, adds>(weights, add, c, first, end, out, n);
-  if (c.count == 2) return refine<2, adds>(weights, add, c, first, end, out, n);
-  if (c.count == 3) return refine<3, adds>(weights, add, c, first, end, out, n);
-  refine<4, adds>(weights, add, c, first, end, out, n);
+  if (c.count == 1) return refine<Lanes, 1, adds>(weights, add, c, first, end, out, n);
+  if (c.count == 2) return refine<Lanes, 2, adds>(weights, add, c, first, end, out, n);
+  if (c.count == 3) return refine<Lanes, 3, adds>(weights, add, c, first, end, out, n);
+  refine<Lanes, 4, adds>(weights, add, c, first, end, out, n);
 }
 
-template <int count>
+template <typename Lanes, int count>
 [[gnu::always_inline]] inline void restricted(double even, double near, const RowSum& r, double* out,
                                               std::ptrdiff_t n) {
   const auto [all, w, rows] = r;
   const auto sum = [&](std::ptrdiff_t i) [[gnu::always_inline]] {
-    Lanes v = w[0] * load(rows[0] + i);
-    for (int q = 1; q < count; ++q) v += w[q] * load(rows[q] + i);
+    Lanes v = w[0] * load<Lanes>(rows[0] + i);
+    for (int q = 1; q < count; ++q) v += w[q] * load<Lanes>(rows[q] + i);
     return v;
   };
-  Lanes odd_before = sum(-lanes);
-  for (std::ptrdiff_t i = 0; i < n; i += lanes) {
-    const Lanes a = sum(2 * i), b = sum(2 * i + lanes);
-    const Lanes on = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
-    const Lanes odd = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
-    const Lanes value = even * on + near * (shifted_7(odd_before, odd) + odd);
+  Lanes odd_before = sum(-lanes<Lanes>);
+  for (std::ptrdiff_t i = 0; i < n; i += lanes<Lanes>) {
+    const Lanes a = sum(2 * i), b = sum(2 * i + lanes<Lanes>);
+    const auto [on, odd] = unzipped(a, b);
+    const Lanes value = even * on + near * (from_last(odd_before, odd) + odd);
     store_within(value, out + i, n - i);
     odd_before = odd;
   }
 }
 
+template <typename Lanes>
+[[gnu::always_inline]] inline void any_stencil(const BilinearWeights& weights, const BilinearInputs& in, double* out,
+                                               std::ptrdiff_t n) {
+  in.before ? stencil<Lanes, true>(weights, in, out, n) : stencil<Lanes, false>(weights, in, out, n);
+}
+
+template <typename Lanes>
+[[gnu::always_inline]] inline void any_refine(const BetweenWeights& weights, const double* add, const RowSum& c,
+                                              std::ptrdiff_t first, std::ptrdiff_t end, double* out, std::ptrdiff_t n) {
+  add ? refine<Lanes, true>(weights, add, c, first, end, out, n)
+      : refine<Lanes, false>(weights, add, c, first, end, out, n);
+}
+
+template <typename Lanes>
+[[gnu::always_inline]] inline void any_restricted(double even, double near, const RowSum& r, double* out,
+                                                  std::ptrdiff_t n) {
+  if (r.count == 1) return restricted<Lanes, 1>(even, near, r, out, n);
+  if (r.count == 2) return restricted<Lanes, 2>(even, near, r, out, n);
+  if (r.count == 3) return restricted<Lanes, 3>(even, near, r, out, n);
+  restricted<Lanes, 4>(even, near, r, out, n);
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+const int numbers_in_registers = __builtin_cpu_supports("x86-64-v4") ? 8 : __builtin_cpu_supports("x86-64-v3") ? 4 : 2;
+
+[[gnu::target("arch=x86-64-v4")]] void stencil_8(const BilinearWeights& weights, const BilinearInputs& in, double* out,
+                                                 std::ptrdiff_t n) {
+  any_stencil<Eight>(weights, in, out, n);
+}
+[[gnu::target("arch=x86-64-v3")]] void stencil_4(const BilinearWeights& weights, const BilinearInputs& in, double* out,
+                                                 std::ptrdiff_t n) {
+  any_stencil<Four>(weights, in, out, n);
+}
+[[gnu::target("arch=x86-64-v4")]] void refine_8(const BetweenWeights& weights, const double* add, const RowSum& c,
+                                                std::ptrdiff_t first, std::ptrdiff_t end, double* out,
+                                                std::ptrdiff_t n) {
+  any_refine<Eight>(weights, add, c, first, end, out, n);
+}
+[[gnu::target("arch=x86-64-v3")]] void refine_4(const BetweenWeights& weights, const double* add, const RowSum& c,
+                                                std::ptrdiff_t first, std::ptrdiff_t end, double* out,
+                                                std::ptrdiff_t n) {
+  any_refine<Four>(weights, add, c, first, end, out, n);
+}
+[[gnu::target("arch=x86-64-v4")]] void restricted_8(double even, double near, const RowSum& r, double* out,
+                                                    std::ptrdiff_t n) {
+  any_restricted<Eight>(even, near, r, out, n);
+}
+[[gnu::target("arch=x86-64-v3")]] void restricted_4(double even, double near, const RowSum& r, double* out,
+                                                    std::ptrdiff_t n) {
+  any_restricted<Four>(even, near, r, out, n);
+}
+#endif
+
 }  // namespace
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#endif
 void bilinear_row(const BilinearWeights& weights, const BilinearInputs& in, double* out, std::ptrdiff_t n) {
-  in.before ? stencil<true>(weights, in, out, n) : stencil<false>(weights, in, out, n);
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+  if (numbers_in_registers == 8) return stencil_8(weights, in, out, n);
+  if (numbers_in_registers == 4) return stencil_4(weights, in, out, n);
+#endif
+  any_stencil<Two>(weights, in, out, n);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#endif
 void refine_row(const BetweenWeights& weights, const double* add, const RowSum& c, std::ptrdiff_t first,
                 std::ptrdiff_t end, double* out, std::ptrdiff_t n) {
-  add ? refine<true>(weights, add, c, first, end, out, n) : refine<false>(weights, add, c, first, end, out, n);
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+  if (numbers_in_registers == 8) return refine_8(weights, add, c, first, end, out, n);
+  if (numbers_in_registers == 4) return refine_4(weights, add, c, first, end, out, n);
+#endif
+  any_refine<Two>(weights, add, c, first, end, out, n);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#endif
 void restrict_row(double even, double near, const RowSum& r, double* out, std::ptrdiff_t n) {
-  if (r.count == 1) return restricted<1>(even, near, r, out, n);
-  if (r.count == 2) return restricted<2>(even, near, r, out, n);
-  if (r.count == 3) return restricted<3>(even, near, r, out, n);
-  restricted<4>(even, near, r, out, n);
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+  if (numbers_in_registers == 8) return restricted_8(even, near, r, out, n);
+  if (numbers_in_registers == 4) return restricted_4(even, near, r, out, n);
+#endif
+  any_restricted<Two>(even, near, r, out, n);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
