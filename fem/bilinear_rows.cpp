@@ -38,20 +38,26 @@ template <typename Lanes>
 }
 
 /// As many lanes of a and b, one after another, as one of them has: from lane 1 on, from 2 on, from the last of a on.
-[[gnu::always_inline]] inline Eight from_1(Eight a, Eight b) {
+[[maybe_unused, gnu::always_inline]] inline Eight from_1(Eight a, Eight b) {
   return __builtin_shufflevector(a, b, 1, 2, 3, 4, 5, 6, 7, 8);
 }
-[[gnu::always_inline]] inline Four from_1(Four a, Four b) { return __builtin_shufflevector(a, b, 1, 2, 3, 4); }
+[[maybe_unused, gnu::always_inline]] inline Four from_1(Four a, Four b) {
+  return __builtin_shufflevector(a, b, 1, 2, 3, 4);
+}
 [[gnu::always_inline]] inline Two from_1(Two a, Two b) { return __builtin_shufflevector(a, b, 1, 2); }
-[[gnu::always_inline]] inline Eight from_2(Eight a, Eight b) {
+[[maybe_unused, gnu::always_inline]] inline Eight from_2(Eight a, Eight b) {
   return __builtin_shufflevector(a, b, 2, 3, 4, 5, 6, 7, 8, 9);
 }
-[[gnu::always_inline]] inline Four from_2(Four a, Four b) { return __builtin_shufflevector(a, b, 2, 3, 4, 5); }
+[[maybe_unused, gnu::always_inline]] inline Four from_2(Four a, Four b) {
+  return __builtin_shufflevector(a, b, 2, 3, 4, 5);
+}
 [[gnu::always_inline]] inline Two from_2(Two, Two b) { return b; }
-[[gnu::always_inline]] inline Eight from_last(Eight a, Eight b) {
+[[maybe_unused, gnu::always_inline]] inline Eight from_last(Eight a, Eight b) {
   return __builtin_shufflevector(a, b, 7, 8, 9, 10, 11, 12, 13, 14);
 }
-[[gnu::always_inline]] inline Four from_last(Four a, Four b) { return __builtin_shufflevector(a, b, 3, 4, 5, 6); }
+[[maybe_unused, gnu::always_inline]] inline Four from_last(Four a, Four b) {
+  return __builtin_shufflevector(a, b, 3, 4, 5, 6);
+}
 [[gnu::always_inline]] inline Two from_last(Two a, Two b) { return from_1(a, b); }
 
 template <typename Lanes>
@@ -59,22 +65,22 @@ struct Pair {
   Lanes first, second;
 };
 /// a_0 b_0 a_1 b_1 ...
-[[gnu::always_inline]] inline Pair<Eight> zipped(Eight a, Eight b) {
+[[maybe_unused, gnu::always_inline]] inline Pair<Eight> zipped(Eight a, Eight b) {
   return {__builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11),
           __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15)};
 }
-[[gnu::always_inline]] inline Pair<Four> zipped(Four a, Four b) {
+[[maybe_unused, gnu::always_inline]] inline Pair<Four> zipped(Four a, Four b) {
   return {__builtin_shufflevector(a, b, 0, 4, 1, 5), __builtin_shufflevector(a, b, 2, 6, 3, 7)};
 }
 [[gnu::always_inline]] inline Pair<Two> zipped(Two a, Two b) {
   return {__builtin_shufflevector(a, b, 0, 2), __builtin_shufflevector(a, b, 1, 3)};
 }
 /// The even lanes of both, and the odd ones.
-[[gnu::always_inline]] inline Pair<Eight> unzipped(Eight a, Eight b) {
+[[maybe_unused, gnu::always_inline]] inline Pair<Eight> unzipped(Eight a, Eight b) {
   return {__builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14),
           __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15)};
 }
-[[gnu::always_inline]] inline Pair<Four> unzipped(Four a, Four b) {
+[[maybe_unused, gnu::always_inline]] inline Pair<Four> unzipped(Four a, Four b) {
   return {__builtin_shufflevector(a, b, 0, 2, 4, 6), __builtin_shufflevector(a, b, 1, 3, 5, 7)};
 }
 [[gnu::always_inline]] inline Pair<Two> unzipped(Two a, Two b) { return zipped(a, b); }
@@ -85,28 +91,38 @@ struct Parts {
   Lanes near, far;
 };
 
+template <typename Lanes>
+[[gnu::always_inline]] inline Parts<Lanes> parts_at(std::ptrdiff_t i, const BilinearWeights& w,
+                                                    const double* const* c) {
+  const Lanes a = load<Lanes>(c[0] + i), b = load<Lanes>(c[1] + i), d = load<Lanes>(c[2] + i);
+  return {w.near[0] * a + w.near[1] * b + w.near[2] * d, w.far[0] * a + w.far[1] * b + w.far[2] * d};
+}
+
 template <typename Lanes, bool has_before>
-[[gnu::always_inline]] inline void stencil(const BilinearWeights& weights, const BilinearInputs& in, double* out,
+[[gnu::always_inline]] inline void stencil(const BilinearWeights& weights, const BilinearInputs& inputs, double* out,
                                            std::ptrdiff_t n) {
-  const auto [near, far] = weights;
-  const auto [rows, gain, right_side, keep, before, soon] = in;
-  const auto parts = [&](std::ptrdiff_t i) [[gnu::always_inline]] {
-    const Lanes a = load<Lanes>(rows[0] + i), b = load<Lanes>(rows[1] + i), c = load<Lanes>(rows[2] + i);
-    return Parts<Lanes>{near[0] * a + near[1] * b + near[2] * c, far[0] * a + far[1] * b + far[2] * c};
-  };
-  Lanes left = parts(-lanes<Lanes>).far;
-  Parts<Lanes> at = parts(0);
+  const BilinearWeights w = weights;  // copies, which `out` cannot change
+  const BilinearInputs in = inputs;
+  Lanes left = parts_at<Lanes>(-lanes<Lanes>, w, in.c).far;
+  Parts<Lanes> at = parts_at<Lanes>(0, w, in.c);
   for (std::ptrdiff_t i = 0; i < n; i += lanes<Lanes>) {
-    __builtin_prefetch(soon[0] + i);
-    __builtin_prefetch(soon[1] + i);
-    const Parts<Lanes> right = parts(i + lanes<Lanes>);
+    __builtin_prefetch(in.soon[0] + i);
+    __builtin_prefetch(in.soon[1] + i);
+    const Parts<Lanes> right = parts_at<Lanes>(i + lanes<Lanes>, w, in.c);
     const Lanes beside = from_last(left, at.far) + from_1(at.far, right.far);
-    Lanes value = gain * load<Lanes>(right_side + i) + (at.near + beside);
-    if constexpr (has_before) value -= keep * load<Lanes>(before + i);
+    Lanes value = in.gain * load<Lanes>(in.b + i) + (at.near + beside);
+    if constexpr (has_before) value -= in.keep * load<Lanes>(in.before + i);
     store_within(value, out + i, n - i);
     left = at.far;
     at = right;
   }
+}
+
+template <typename Lanes, int count>
+[[gnu::always_inline]] inline Lanes sum_at(std::ptrdiff_t i, const RowSum& sum) {
+  Lanes v = sum.weights[0] * load<Lanes>(sum.rows[0] + i);
+  for (int q = 1; q < count; ++q) v += sum.weights[q] * load<Lanes>(sum.rows[q] + i);
+  return v;
 }
 
 /// Numbers i .. i + count - 1 of the sum; 0 for those that are not in first .. end - 1.
@@ -117,24 +133,24 @@ void sum_within(const RowSum& sum, std::ptrdiff_t i, std::ptrdiff_t count, std::
     for (int q = 0; q < sum.count; ++q) out[k - i] += sum.weights[q] * sum.rows[q][k];
 }
 
+template <typename Lanes, int count>
+[[gnu::always_inline]] inline Lanes sum_within(std::ptrdiff_t i, const RowSum& sum, std::ptrdiff_t first,
+                                               std::ptrdiff_t end) {
+  if (i >= first && i + lanes<Lanes> <= end) return sum_at<Lanes, count>(i, sum);
+  double part[lanes<Lanes>];
+  sum_within(sum, i, lanes<Lanes>, first, end, part);
+  return load<Lanes>(part);
+}
+
 template <typename Lanes, int count, bool adds>
-[[gnu::always_inline]] inline void refine(const BetweenWeights& weights, const double* add, const RowSum& c,
+[[gnu::always_inline]] inline void refine(const BetweenWeights& weights, const double* add, const RowSum& coarse,
                                           std::ptrdiff_t first, std::ptrdiff_t end, double* out, std::ptrdiff_t n) {
-  const auto [all, w, rows] = c;
-  const auto sum = [&](std::ptrdiff_t i) [[gnu::always_inline]] {
-    if (i < first || end < i + lanes<Lanes>) {
-      double part[lanes<Lanes>];
-      sum_within(c, i, lanes<Lanes>, first, end, part);
-      return load<Lanes>(part);
-    }
-    Lanes v = w[0] * load<Lanes>(rows[0] + i);
-    for (int q = 1; q < count; ++q) v += w[q] * load<Lanes>(rows[q] + i);
-    return v;
-  };
+  const RowSum c = coarse;  // a copy, which `out` cannot change
   const auto [even, near, far] = weights;
-  Lanes left = sum(-lanes<Lanes>), at = sum(0);
+  Lanes left = sum_within<Lanes, count>(-lanes<Lanes>, c, first, end);
+  Lanes at = sum_within<Lanes, count>(0, c, first, end);
   for (std::ptrdiff_t i = 0; i < n; i += lanes<Lanes>) {
-    const Lanes right = sum(i + lanes<Lanes>);
+    const Lanes right = sum_within<Lanes, count>(i + lanes<Lanes>, c, first, end);
     const Lanes on = even * at;
     const Lanes between = near * (at + from_1(at, right)) + far * (from_last(left, at) + from_2(at, right));
     auto [lower, upper] = zipped(on, between);
@@ -159,17 +175,12 @@ template <typename Lanes, bool adds>
 }
 
 template <typename Lanes, int count>
-[[gnu::always_inline]] inline void restricted(double even, double near, const RowSum& r, double* out,
+[[gnu::always_inline]] inline void restricted(double even, double near, const RowSum& sum, double* out,
                                               std::ptrdiff_t n) {
-  const auto [all, w, rows] = r;
-  const auto sum = [&](std::ptrdiff_t i) [[gnu::always_inline]] {
-    Lanes v = w[0] * load<Lanes>(rows[0] + i);
-    for (int q = 1; q < count; ++q) v += w[q] * load<Lanes>(rows[q] + i);
-    return v;
-  };
-  Lanes odd_before = sum(-lanes<Lanes>);
+  const RowSum r = sum;
+  Lanes odd_before = sum_at<Lanes, count>(-lanes<Lanes>, r);
   for (std::ptrdiff_t i = 0; i < n; i += lanes<Lanes>) {
-    const Lanes a = sum(2 * i), b = sum(2 * i + lanes<Lanes>);
+    const Lanes a = sum_at<Lanes, count>(2 * i, r), b = sum_at<Lanes, count>(2 * i + lanes<Lanes>, r);
     const auto [on, odd] = unzipped(a, b);
     const Lanes value = even * on + near * (from_last(odd_before, odd) + odd);
     store_within(value, out + i, n - i);
