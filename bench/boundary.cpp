@@ -14,8 +14,10 @@
 #include <omp.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -132,10 +134,12 @@ Cost time_solves(const Discrete& d, Vector& c, int repeats) {
   const double unit = 1e9 / static_cast<double>(c.size());
   Cost cost;
   cost.levels = unit * least_seconds(repeats, [&] { solve_by_levels(multigrid, d.b, c); });
-  cost.solve = unit * least_seconds(repeats, [&] {
-                 std::fill(c.begin(), c.end(), 0.);
-                 cost.result = solve(multigrid, d.b, c, {.accuracy = accuracy});
-               });
+  cost.solve = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < repeats; ++k) {
+    std::fill(c.begin(), c.end(), 0.);  // the start is the caller's
+    const auto work = [&] { cost.result = solve(multigrid, d.b, c, {.accuracy = accuracy}); };
+    cost.solve = std::min(cost.solve, unit * seconds_of(work));
+  }
   return cost;
 }
 

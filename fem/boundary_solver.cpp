@@ -10,8 +10,10 @@
 #include <batten/fem/support_points.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace batten {
 namespace {
@@ -56,6 +58,12 @@ private:
   std::vector<PhaseTime> seconds_;
 };
 
+bool has_side_data(const Sides& sides) {
+  const auto prescribes = [](const std::optional<Field>& data) { return data && !data->is_zero(); };
+  return std::ranges::any_of(std::array{&sides.left, &sides.right, &sides.bottom, &sides.top},
+                             [&](const Side* s) { return prescribes(s->value) || prescribes(s->normal); });
+}
+
 /// u = g + v
 void BoundarySolve::set_homogeneous_part(const Vector& v) {
   solution_ = system_->whole(v);
@@ -77,15 +85,16 @@ void BoundarySolve::iterate() {
   const auto& multigrid = system_->multigrid();
   const auto& data = multigrid.data();
   const int most_steps = data.size() == 0 && !problem_.is_plate() ? 1 : 8;
-  Vector v(multigrid.size()), step(v.size()), pull(data.size()), miss(data.size());
-  set_homogeneous_part(v);
-  const Vector target =
-      missing_values(supports_.constraints, system_->order(), Solution(problem_.region, problem_.degree, solution_));
-  miss = target;
+  Vector v, pull(data.size());
+  if (!lifting_.coefficients.empty() || data.size() > 0) set_homogeneous_part(Vector(multigrid.size()));
+  const Vector target = data.size() > 0 ? missing_values(supports_.constraints, system_->order(),
+                                                         Solution(problem_.region, problem_.degree, solution_))
+                                        : Vector();
+  Vector miss = target;
   force_.assign(data.size(), 0.);
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most_steps; ++k) {
-    Vector r = residual();
+    Vector r = solution_.empty() ? system_->restricted(load_) : residual();
     for (std::size_t i = 0; i < pull.size(); ++i) pull[i] = force_[i] + data.weights()[i] * miss[i];
     data.add_adjoint(pull, r);
     IterationLimits limits = options_.limits;
@@ -96,11 +105,14 @@ void BoundarySolve::iterate() {
       before = size;
       limits.accuracy = std::max(limits.accuracy, correction_accuracy);
     }
-    std::fill(step.begin(), step.end(), 0.);
+    Vector step(multigrid.size());
     const auto found = solve(multigrid, r, step, limits);
     iterations_.iterations += found.iterations;
     iterations_.accuracy = found.accuracy;
-    combine(1, step, 1, v);
+    if (k == 0)
+      v = std::move(step);
+    else
+      combine(1, step, 1, v);
     set_homogeneous_part(v);
     data.values(v, miss);
     for (std::size_t i = 0; i < miss.size(); ++i) {
@@ -149,7 +161,7 @@ void BoundarySolve::measure(BoundaryResult& result) const {
 BoundaryResult BoundarySolve::run() {
   run_phase("assemble", [&] {
     system_.emplace(problem_, 0., supports_.constraints);
-    lifting_ = lifting(problem_);
+    if (has_side_data(problem_.sides)) lifting_ = lifting(problem_);
     if (std::ranges::all_of(lifting_.coefficients, [](double c) { return c == 0; }))
       Vector().swap(lifting_.coefficients);
   });

@@ -12,14 +12,25 @@ StreamedCycle::StreamedCycle(const Hierarchy& hierarchy, int steps, double lambd
   for (int k = 0; k < hierarchy.size(); ++k) {
     const std::size_t n = hierarchy[k].space.size();
     const auto size = [n](bool used) { return std::vector<double>(used ? n : 0); };
-    levels_.push_back({StreamedSmoother(hierarchy[k], steps, lambda),
+    levels_.push_back({smoother_of(hierarchy[k], steps, lambda),
                        {},
                        cubic_refinement(hierarchy, k),
                        size(k > 0),
                        size(k + 1 < hierarchy.size()),
                        size(k > 0)});
-    if (hierarchy.degree() == 1) levels_.back().first.emplace(hierarchy[k], 1, lambda);
+    if (hierarchy.degree() == 1) levels_.back().first.emplace(smoother_of(hierarchy[k], 1, lambda));
   }
+}
+
+StreamedCycle::AnySmoother StreamedCycle::smoother_of(const Hierarchy::Level& level, int steps, double lambda) {
+  if (level.space.x.degree() == 1) return BilinearSmoother(level, steps, lambda);
+  return StreamedSmoother(level, steps, lambda);
+}
+
+/// The second half of a cycle on one level.
+void StreamedCycle::ascend(std::size_t k, std::span<const double> b, std::span<double> out) const {
+  std::visit([&](const auto& s) { s.ascend(levels_[k].middle, levels_[k + 1].x, b, out, rings_); },
+             levels_[k].smoother);
 }
 
 /// The first half of a cycle, which leaves `middle` and the solution x of the next coarser level. Returns r·Br if
@@ -29,10 +40,11 @@ double StreamedCycle::correct(Kind kind, std::size_t k, const StreamedSmoother::
   auto& coarse = levels_[k + 1];
   const auto& fine = levels_[k];
   const auto& first = kind == Kind::ByLevels && fine.first ? *fine.first : fine.smoother;
-  double square = first.descend(start, b, levels_[k].middle, coarse.right, measure, rings_);
+  double square = std::visit(
+      [&](const auto& s) { return s.descend(start, b, levels_[k].middle, coarse.right, measure, rings_); }, first);
   if (k + 2 < levels_.size()) {
     square += correct(kind, k + 1, {}, coarse.right, measure);
-    coarse.smoother.ascend(coarse.middle, levels_[k + 2].x, coarse.right, coarse.x, rings_);
+    ascend(k + 1, coarse.right, coarse.x);
   } else {
     improve(kind, k + 1, {}, coarse.right, coarse.x);
     if (measure) square += std::inner_product(coarse.x.begin(), coarse.x.end(), coarse.right.begin(), 0.);
@@ -47,7 +59,7 @@ void StreamedCycle::improve(Kind kind, std::size_t k, const StreamedSmoother::St
     return coarsest_->solve(out);
   }
   correct(kind, k, start, b, false);
-  levels_[k].smoother.ascend(levels_[k].middle, levels_[k + 1].x, b, out, rings_);
+  ascend(k, b, out);
 }
 
 double StreamedCycle::improve_unless(double enough, std::span<const double> b, std::span<double> c) const {
@@ -57,7 +69,7 @@ double StreamedCycle::improve_unless(double enough, std::span<const double> b, s
   }
   const double error = std::sqrt(std::max(
       0., correct(Kind::Symmetric, 0, {.given = c.data(), .coarse = nullptr, .refinement = nullptr}, b, true)));
-  if (error > enough) levels_[0].smoother.ascend(levels_[0].middle, levels_[1].x, b, c, rings_);
+  if (error > enough) ascend(0, b, c);
   return error;
 }
 

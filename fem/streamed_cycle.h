@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <batten/fem/bilinear_smoother.h>
 #include <batten/fem/cubic_refinement.h>
 #include <batten/fem/sparse_cholesky.h>
 #include <batten/fem/streamed_smoother.h>
 
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace batten {
@@ -35,16 +37,19 @@ public:
   double work_by_levels() const;
 
 private:
+  using AnySmoother = std::variant<StreamedSmoother, BilinearSmoother>;
   struct Level {
-    StreamedSmoother smoother;
-    std::optional<StreamedSmoother> first;  // the one before, by levels, if set
-    std::optional<TensorSum> cubic;         // for the start by the next coarser level, if set
-    std::vector<double> right, middle, x;   // right-hand side, what the first half of a cycle leaves, solution
+    AnySmoother smoother;
+    std::optional<AnySmoother> first;      // the one before, by levels, if set
+    std::optional<TensorSum> cubic;        // for the start by the next coarser level, if set
+    std::vector<double> right, middle, x;  // right-hand side, what the first half of a cycle leaves, solution
   };
 
   enum class Kind { Symmetric, ByLevels };
+  static AnySmoother smoother_of(const Hierarchy::Level& level, int steps, double lambda);
   double correct(Kind kind, std::size_t level, const StreamedSmoother::Start& start, std::span<const double> b,
                  bool measure) const;
+  void ascend(std::size_t level, std::span<const double> b, std::span<double> out) const;
   void improve(Kind kind, std::size_t level, const StreamedSmoother::Start& start, std::span<const double> b,
                std::span<double> out) const;
 

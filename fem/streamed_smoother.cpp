@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/fem/streamed_block.h>
 #include <batten/fem/streamed_rows.h>
 #include <batten/fem/streamed_smoother.h>
 
@@ -39,33 +40,6 @@ void prefetch(const double* row, int n) {
   for (int i = 0; i < n; i += 8) __builtin_prefetch(row + i);
 }
 
-/// Part `index` of `count` nearly equal ones of 0 .. size - 1.
-template <typename Range>
-Range part(int size, int index, int count) {
-  const auto cut = [&](int k) { return static_cast<int>(static_cast<long long>(size) * k / count); };
-  return {cut(index), cut(index + 1)};
-}
-
-/// The range and what the rows of `band` that belong to `result` take in.
-template <typename Range>
-Range with_inputs(Range range, const BandedRows& band, Range result) {
-  if (result.begin >= result.end) return range;
-  const auto first = [&](int i) { return band.first[static_cast<std::size_t>(i)]; };
-  return {std::min(range.begin, first(result.begin)), std::max(range.end, first(result.end - 1) + band.width)};
-}
-
-template <typename Range>
-Range widened(Range range, int by, int size) {
-  return {std::max(0, range.begin - by), std::min(size, range.end + by)};
-}
-
-RepeatedRows inverse_diagonal(const Hierarchy::Level& level, double lambda) {
-  RepeatedRows result = level.energy.diagonal_rows();
-  for (double& v : result.values())  // functions that a condition takes away have the entry 0 and stay at 0
-    v = v > 0 ? 1 / (lambda * level.bound * v) : 0;
-  return result;
-}
-
 /// Rows of all rings at the most: where a start is refined, the residual restricted and the product measured.
 int ring_rows(const Hierarchy::Level& level, int steps) {
   const int reach = level.space.y.degree(), behind = steps * reach + 1;
@@ -89,15 +63,12 @@ struct StreamedSmoother::Job {
   bool measure = false;
 };
 
-struct StreamedSmoother::Place {
-  int index, count;
-};
-
 /// One pass over one block of rows and columns: refine the start, first step, further steps, last residual with
 /// restriction.
 class StreamedSmoother::Block {
 public:
-  Block(const StreamedSmoother& smoother, const Job& job, Place rows, Place columns, std::vector<double>& memory)
+  Block(const StreamedSmoother& smoother, const Job& job, BlockPlace rows, BlockPlace columns,
+        std::vector<double>& memory)
       : s_(smoother),
         job_(job),
         level_(*smoother.level_),
@@ -109,14 +80,14 @@ public:
         last_(job.coarse_right ? steps_ + 1 : steps_),
         panel_(columns.index),
         panels_(columns.count),
-        own_rows_(part<RowRange>(rows_, rows.index, rows.count)),
-        own_(part<ColumnRange>(n_, columns.index, columns.count)),
+        own_rows_(part<RowRange>(rows_, rows)),
+        own_(part<ColumnRange>(n_, columns)),
         needed_rows_(own_rows_),
         needed_(own_) {
     if (job.coarse_right) {
       const auto& term = level_.restriction->terms().front();
-      coarse_rows_ = part<RowRange>(term.y.rows, rows.index, rows.count);
-      coarse_ = part<ColumnRange>(term.x.rows, columns.index, columns.count);
+      coarse_rows_ = part<RowRange>(term.y.rows, rows);
+      coarse_ = part<ColumnRange>(term.x.rows, columns);
       needed_rows_ = with_inputs(own_rows_, term.y, coarse_rows_);
       needed_ = with_inputs(own_, term.x, coarse_);
     }

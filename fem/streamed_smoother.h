@@ -41,7 +41,6 @@ public:
 
 private:
   struct Job;
-  struct Place;
   class Block;
   void run(const Job& job, Rings& rings) const;
 
