@@ -47,7 +47,12 @@ void move(double step, std::span<const double> p, std::span<const double> q, std
 }
 
 bool is_zero(std::span<const double> c) {
-  return std::all_of(c.begin(), c.end(), [](double v) { return v == 0; });
+  return sum_over(c.size(), [&](std::size_t from, std::size_t to) {
+           return std::all_of(c.begin() + static_cast<std::ptrdiff_t>(from),
+                              c.begin() + static_cast<std::ptrdiff_t>(to), [](double v) { return v == 0; })
+                      ? 0.
+                      : 1.;
+         }) == 0;
 }
 
 /// A x = b on one level of the multigrid.
