@@ -274,6 +274,37 @@ Eigen::MatrixXd LocalScheme::matrix() const {
   return result;
 }
 
+/// Rows of rules first; q_p = (m_r - Σ M_ra q_a) / M_rp then gives the private ones.
+Eigen::SparseMatrix<double, Eigen::RowMajor> LocalScheme::sparse_matrix() const {
+  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  std::vector<Eigen::Triplet<double>> entries, balance, own;
+  for (int c = 0; c < cells_x_ * cells_y_; ++c) {
+    if (rule_of_[static_cast<std::size_t>(c)] < 0) continue;
+    const Rule& rule = rules_[static_cast<std::size_t>(rule_of_[static_cast<std::size_t>(c)])];
+    const int I = c % cells_x_, J = c / cells_x_;
+    const double* weight = rule.weights.data();
+    for (int f : rule.functions)
+      for (int p : rule.places)
+        entries.emplace_back(number_[static_cast<std::size_t>(2 * (I + J * functions_x_) + f)],
+                             measurements_.row[static_cast<std::size_t>(I + J * measurements_.places_x + p)],
+                             *weight++);
+  }
+  for (int r = 0; r < columns(); ++r) {
+    const auto i = static_cast<std::size_t>(r);
+    own.emplace_back(private_[i], r, 1 / pivot_[i]);
+    balance.emplace_back(private_[i], r, -1 / pivot_[i]);
+  }
+  Matrix shared(rows(), columns()), result(rows(), columns()), to_private(rows(), columns());
+  shared.setFromTriplets(entries.begin(), entries.end());
+  result.setFromTriplets(own.begin(), own.end());
+  to_private.setFromTriplets(balance.begin(), balance.end());
+  const Matrix seen = measurements_.M * shared;
+  const Matrix balanced = to_private * seen;
+  result += shared;
+  result += balanced;
+  return result;
+}
+
 std::size_t LocalScheme::stored_weights() const {
   std::size_t sum = 0;
   for (const Rule& rule : rules_) sum += rule.weights.size();

@@ -5,6 +5,7 @@
 #include <batten/fem/spline_level.h>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <cstddef>
 #include <vector>
@@ -32,6 +33,8 @@ public:
   Eigen::VectorXd apply(const Eigen::VectorXd& m) const;
   /// Ψ_r, for small levels.
   Eigen::MatrixXd matrix() const;
+  /// Ψ_r as stored entries: each row has those of its rule, private rows those of the rules that they balance.
+  Eigen::SparseMatrix<double, Eigen::RowMajor> sparse_matrix() const;
   /// Different rules stored: each serves all coefficients around a cell.
   int rules() const { return static_cast<int>(rules_.size()); }
   /// Numbers stored in them.

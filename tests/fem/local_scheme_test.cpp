@@ -206,6 +206,18 @@ TEST(LocalScheme, with_patches_as_large_as_the_domain_is_exact) {
   }
 }
 
+TEST(LocalScheme, has_the_same_entries_stored_and_applied) {
+  for (const auto& [domain, kind] :
+       {std::pair{with_mask(variational_domain(Energy::membrane(), 1, 10, 8)), Measurement::CellAverages},
+        {with_contrast(variational_domain(Energy::membrane(), 1, 9, 8)), Measurement::GrevilleValues},
+        {variational_domain(Energy::thin_plate(), 3, 10, 8), Measurement::CentreValues}}) {
+    const LocalScheme local = Step(domain, kind).local(1);
+    const MatrixXd applied = local.matrix();
+    EXPECT_LE((MatrixXd(local.sparse_matrix()) - applied).cwiseAbs().maxCoeff(),
+              1e-14 * static_cast<double>(local.columns()) * applied.cwiseAbs().maxCoeff());
+  }
+}
+
 TEST(LocalScheme, stores_rules_once_whatever_the_size) {
   for (const auto& [kind, degree] : {std::pair{Measurement::CellAverages, 1}, {Measurement::CentreValues, 3}}) {
     const auto energy = degree == 1 ? Energy::membrane() : Energy::thin_plate();
