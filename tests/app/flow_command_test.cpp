@@ -181,7 +181,7 @@ TEST_F(FlowCommand, refuses_sides_that_are_unknown_or_named_twice) {
   expect_failure(in + "--walls left --periodic x -o f.vti", 2, "--periodic: the side left is wall already");
   expect_failure(in + "--walls left --model general -o f.vti", 2, "--model general has free sides");
   expect_failure(in + "--no-slip left --model irrotational -o f.vti", 2, "--no-slip belongs to the models");
-  expect_failure(in + "--periodic x --cells 7 8 -o f.vti", 1, "periodic");
+  expect_failure(in + "--periodic x --cells 6 8 -o f.vti", 1, "7 equal cells between periodic ends");
 }
 
 TEST_F(FlowCommand, stays_within_the_tolerance_or_refuses) {
@@ -225,7 +225,7 @@ TEST_F(FlowCommand, refuses_what_does_not_fit_together) {
   expect_failure(out + "--smoothing much", 2, "--smoothing: 'much' is neither auto nor none");
   expect_failure(in + "-o f.csv", 2, "-o: the name must end with .vti");
   expect_failure(in + "-o f.vti --report in.csv", 2, "in.csv: is an input");
-  for (const char* const unknown : {"--walls closed", "--geographic", "--aspect 2"})
+  for (const char* const unknown : {"--shores closed", "--aspect 2"})
     expect_failure(out + unknown, 2, words(unknown)[0]);
 }
 
