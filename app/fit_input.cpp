@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/fit_input.h>
 #include <batten/app/table_source.h>
-#include <batten/domains/errors.h>
-#include <batten/domains/number_text.h>
 #include <batten/io/table.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace batten {
-namespace {
-
-constexpr double pole = 90;  // degrees of latitude
-}  // namespace
-
 FitInput read_fit_input(const FitArguments& arguments) {
   TableOptions options{{arguments.x, arguments.y, arguments.value}, arguments.skip_invalid};
   if (!arguments.weight.empty()) options.columns.push_back(arguments.weight);
@@ -36,16 +27,7 @@ FitInput read_fit_input(const FitArguments& arguments) {
 
 double aspect_of(const FitArguments& arguments, const Observations& observations) {
   if (!arguments.geographic) return arguments.aspect.value_or(1);
-  const std::array<double, 4> box = box_of(arguments.grid, {observations.x, observations.y});
-  const double south = box[2], north = box[3];
-  if (south < -pole || north > pole) {
-    throw InvalidInput("--geographic: latitudes (--y) must lie between -90 and 90 degrees, found " +
-                       number_text(south, 6) + " to " + number_text(north, 6));
-  }
-  const double middle = (south + north) / 2;
-  if (std::abs(middle) == pole)
-    throw InvalidInput("--geographic: there is no longitude at a pole, found latitude " + number_text(middle));
-  return 1 / std::cos(middle * std::numbers::pi / 180);
+  return geographic_aspect(arguments.grid, {observations.x, observations.y});
 }
 
 Rectangle grid_of(const FitArguments& arguments, const Observations& observations, double aspect) {

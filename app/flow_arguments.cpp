@@ -34,6 +34,10 @@ void add_input(CLI::App& parser, FlowArguments& a) {
   column("--v", a.v, "column of the velocity in y")->required();
   column("--weight", a.weight, "column of the weights w, >= 0; default: all 1");
   parser.add_flag("--skip-invalid", a.skip_invalid, "leave out and count the rows that cannot be read")->group(group);
+  parser
+      .add_flag("--geographic", a.geographic,
+                "x is longitude, y latitude in degrees; u to the east, v to the north; lengths in km")
+      ->group(group);
 }
 
 void add_field(CLI::App& parser, FlowArguments& a) {
@@ -83,7 +87,7 @@ void add_output(CLI::App& parser, FlowArguments& a) {
 void add_flow_options(CLI::App& parser, FlowArguments& arguments) {
   add_input(parser, arguments);
   add_field(parser, arguments);
-  add_grid_options(parser, arguments.grid, "square cells of size H; the region may grow at its upper ends");
+  add_grid_options(parser, arguments.grid, "square cells of size H in x; the region may grow at its upper ends");
   add_output(parser, arguments);
   parser.footer(flow_help);
 }
@@ -105,6 +109,9 @@ void check_arguments(const FlowArguments& arguments) {
   if (model == FlowModel::General && !sides.are_free())
     throw UsageError(
         "--model general has free sides; walls and periodic sides belong to smooth, slow and irrotational");
+  if (arguments.geographic && sides.bottom == FlowSide::Periodic)
+    throw UsageError("--geographic: longitudes go around, latitudes do not; expected --periodic x, found --periodic " +
+                     arguments.sides.periodic);
   if (model == FlowModel::Irrotational && arguments.sides.no_slip != "none")
     throw UsageError("--no-slip belongs to the models smooth and slow, found --model irrotational");
   smoothing_of(arguments.smoothing);

@@ -21,6 +21,7 @@ struct FlowArguments {
   std::string vectors;  ///< the file, "-" for standard input
   std::string x, y, u, v, weight;
   bool skip_invalid = false;
+  bool geographic = false;
   std::string model = "smooth";
   std::optional<double> ratio;
   int degree = 3;

@@ -23,6 +23,7 @@ FlowOptions flow_options(const FlowArguments& arguments, Progress& progress) {
   FlowOptions options;
   options.model = model_of(arguments);
   options.ratio = arguments.ratio.value_or(1);
+  options.geographic = arguments.geographic;
   options.sides = sides_of(arguments.sides);
   options.degree = arguments.degree;
   options.smoothing = smoothing_of(arguments.smoothing);

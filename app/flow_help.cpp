@@ -27,12 +27,21 @@ Sides are free unless --walls, --no-slip or --periodic say more. psi is constant
 on walls that are connected; the flux between two that are not, and the mean flow
 along a periodic direction, are found by the fit and reported.
 
+--geographic: x is the longitude and y the latitude, on a sphere of 6371 km;
+
+  smooth, slow  u = -psi_lat / R, v = psi_lon / (R cos lat)    no divergence on it
+  irrotational  u = phi_lon / (R cos lat), v = phi_lat / R     no vorticity
+
+Lengths are in km, psi in the unit of u times km, divergence and vorticity in that
+of u per km. E counts one degree of latitude as 1 / cos(mid latitude) degrees of
+longitude. Regions lie between the poles.
+
 --streamlines N traces N lines of the flow, each through the place farthest from
 those before, to the sides, points at rest or ten longer sides away.
 
 Examples:
-  batten flow examples/data/wind.csv --x x --y y --u u --v v --model general --smoothing 1e-7 --cells 48 48 -o wind.vti --picture wind.png
+  batten flow examples/data/wind.csv --x longitude --y latitude --u u --v v --geographic --model general --smoothing 1e-7 --cells 48 48 -o wind.vti --picture wind.png
   batten flow examples/data/channel.csv --x x --y y --u u --v v --region 0 3 0 1 --no-slip bottom,top --cells 96 32 -o channel.vti --picture channel.png
-  batten flow examples/data/wind.csv --x x --y y --u u --v v --smoothing 1e-7 --cells 64 64 -o rotation.vti --streamlines 60 --streamlines-out lines.vtp --picture lines.png)";
+  batten flow examples/data/wind.csv --x longitude --y latitude --u u --v v --geographic --smoothing 1e-7 --cells 64 64 -o rotation.vti --streamlines 60 --streamlines-out lines.vtp --picture lines.png)";
 
 }  // namespace batten

@@ -28,7 +28,9 @@ FlowInput read_flow_input(const FlowArguments& arguments) {
 
 Rectangle grid_of(const FlowArguments& arguments, const VectorObservations& observations) {
   constexpr double rows_of_each = 2;  // slopes measured
-  return grid_of(arguments.grid, {observations.x, observations.y},
+  GridData data{observations.x, observations.y};
+  if (arguments.geographic) data.aspect = geographic_aspect(arguments.grid, data);
+  return grid_of(arguments.grid, data,
                  {.degree = arguments.degree,
                   .points = rows_of_each * static_cast<double>(observations.size()),
                   .interpolates = interpolates(arguments.smoothing),

@@ -15,12 +15,12 @@ Record record_of(const FlowOutputs& outputs) {
   const auto& [x, y, u, v] = outputs.input->names;
   const auto& tolerance = arguments.smoothing.tolerance;
   Record record = result.field.to_record();
-  record.numbers = {{"lambda", result.lambda},
-                    {"energy", result.energy},
-                    {"rms_residual", result.rms_residual},
-                    {"max_residual", result.largest_residual},
-                    {"largest_divergence", result.largest_divergence},
-                    {"points", static_cast<double>(result.points_used)}};
+  record.numbers.insert({{"lambda", result.lambda},
+                         {"energy", result.energy},
+                         {"rms_residual", result.rms_residual},
+                         {"max_residual", result.largest_residual},
+                         {"largest_divergence", result.largest_divergence},
+                         {"points", static_cast<double>(result.points_used)}});
   if (result.effective_degrees) record.numbers["effective_degrees"] = *result.effective_degrees;
   if (tolerance) record.numbers["tolerance"] = *tolerance;
   if (model_of(arguments) == FlowModel::General) record.numbers["ratio"] = arguments.ratio.value_or(1);
@@ -43,6 +43,7 @@ void draw_flow_picture(const FlowPicture& picture, const GridSamples& samples) {
   options.x_name = picture.names[0];
   options.y_name = picture.names[1];
   options.value_name = "speed";
+  options.y_scale = picture.field->geometry().aspect(picture.field->region());
   options.contours = false;
   const bool has_lines = !picture.streamlines.empty();
   options.curves = has_lines ? picture.streamlines : arrows_of(*picture.field);

@@ -53,6 +53,7 @@ Json report_json(const FlowAccount& account) {
   json["region"] = {region.x.lower(), region.x.upper(), region.y.lower(), region.y.upper()};
   json["model"] = arguments.model;
   if (model_of(arguments) == FlowModel::General) json["ratio"] = arguments.ratio.value_or(1);
+  json["geographic"] = arguments.geographic;
   const FlowSides sides = sides_of(arguments.sides);
   json["sides"] = {{"left", side_name(sides.left)},
                    {"right", side_name(sides.right)},

@@ -2,12 +2,15 @@
 #include <batten/app/grid_arguments.h>
 #include <batten/app/option_checks.h>
 #include <batten/app/usage_error.h>
+#include <batten/domains/errors.h>
 #include <batten/domains/grid_choice.h>
+#include <batten/domains/number_text.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace batten {
 namespace {
@@ -70,6 +73,20 @@ std::array<double, 4> box_of(const GridArguments& arguments, const GridData& dat
   const auto [xmin, xmax] = std::minmax_element(data.x.begin(), data.x.end());
   const auto [ymin, ymax] = std::minmax_element(data.y.begin(), data.y.end());
   return {*xmin, *xmax, *ymin, *ymax};
+}
+
+double geographic_aspect(const GridArguments& arguments, const GridData& data) {
+  constexpr double pole = 90;
+  const std::array<double, 4> box = box_of(arguments, data);
+  const double south = box[2], north = box[3];
+  if (south < -pole || north > pole) {
+    throw InvalidInput("--geographic: latitudes (--y) must lie between -90 and 90 degrees, found " +
+                       number_text(south, 6) + " to " + number_text(north, 6));
+  }
+  const double middle = (south + north) / 2;
+  if (std::abs(middle) == pole)
+    throw InvalidInput("--geographic: there is no longitude at a pole, found latitude " + number_text(middle));
+  return 1 / std::cos(middle * std::numbers::pi / 180);
 }
 
 Rectangle grid_of(const GridArguments& arguments, const GridData& data, FitSize size) {

@@ -37,6 +37,10 @@ void check_arguments(const GridArguments& arguments);
 /// xmin, xmax, ymin, ymax: of --region, or the least and largest coordinates.
 std::array<double, 4> box_of(const GridArguments& arguments, const GridData& data);
 
+/// How many units of x one unit of y counts as where x is the longitude and y the latitude: 1 / cos of the mid
+/// latitude. Throws InvalidInput for latitudes that are none.
+double geographic_aspect(const GridArguments& arguments, const GridData& data);
+
 /// The grid that the arguments ask for. Throws InvalidInput if it is none, or if a fit of this size (its cells are set
 /// here) needs more memory than there is.
 Rectangle grid_of(const GridArguments& arguments, const GridData& data, FitSize size);

@@ -3,6 +3,7 @@
 
 #include <batten/fem/fit_problem.h>
 #include <batten/fem/preconditioned_system.h>
+#include <batten/flows/flow_data.h>
 
 #include <Eigen/Dense>
 
@@ -29,10 +30,13 @@ inline constexpr std::array<HarmonicPair, 4> harmonic_pairs = {{{{0, 1, 0, 0, 0,
 /// harmonic ψ and the φ with the opposite velocity cost λ E alone, and nothing at all up to degree 2. The smooth ones
 /// of these pairs are found by a direct solution for both on the coarsest level, which is added. What costs nothing is
 /// taken off what the preconditioner gives.
+///
+/// On a sphere no pair of quadratics cancels exactly, but in small regions nearly: what the data see to less than 1e-9
+/// of what they see best is taken off, as is what costs nothing in a plane.
 class CoupledProblem : public PenalisedProblem, private PreconditionedSystem {
 public:
-  /// `rows`: those of ψ, as of FlowData; kept by reference.
-  CoupledProblem(const FitData& rows, const Rectangle& region, const FitOptions& options, double ratio);
+  /// `data`: with the rows of ψ; kept by reference.
+  CoupledProblem(const FlowData& data, const Rectangle& region, const FitOptions& options, const FlowOptions& flow);
 
   const SplineSpace& space() const { return stream_.hierarchy().finest().space; }
 
@@ -57,14 +61,15 @@ private:
   std::size_t half() const { return stream_.system().size(); }
   void build_coarse_data();
   void build_null_space();
+  void keep_unseen();
   Eigen::VectorXd restricted(std::span<const double> r) const;
 
-  const FitData& rows_;
+  const FlowData& data_;
   FitOptions options_;
-  double ratio_;
+  FlowOptions flow_;
   FitData potential_rows_;
   FitProblem stream_, potential_;
-  std::vector<double> sign_;    // of each row of φ
+  std::vector<double> factor_;  // by which each row measures the slope of φ
   Eigen::MatrixXd null_space_;  // orthonormal: constants, and pairs that cancel
   Eigen::MatrixXd coarse_data_;
   Eigen::LLT<Eigen::MatrixXd> coarse_;

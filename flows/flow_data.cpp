@@ -109,31 +109,45 @@ void check_determined(const VectorObservations& o, const Rectangle& region, cons
                        (o.size() == 1 ? " point" : " points on one line") + " (the model slow needs one point)");
 }
 
+void check_geometry(const Rectangle& region, const FlowOptions& options) {
+  try {
+    geometry_of(options).expect_inside(region);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(std::string("fit_flow: ") + error.what());
+  }
+  if (options.geographic && (options.sides.bottom == FlowSide::Periodic || options.sides.top == FlowSide::Periodic))
+    throw InvalidInput("fit_flow: expected periodic sides in longitude alone, found them in latitude");
+}
+
 /// Two rows for each vector.
-FitData rows_of(const Chosen& chosen, FlowModel model) {
+void add_rows(const Chosen& chosen, const Rectangle& region, const FlowOptions& options, FlowData& result) {
   const auto& o = chosen.vectors;
-  const bool is_potential = model == FlowModel::Irrotational;
-  FitData rows;
+  const bool is_potential = options.model == FlowModel::Irrotational;
+  const FlowGeometry geometry = geometry_of(options);
+  const double unit_x = geometry.length_y() / geometry.aspect(region);  // that of the mid latitude
+  FitData& rows = result.rows;
   rows.total_weight = 2 * std::accumulate(o.weight.begin(), o.weight.end(), 0.);
   for (std::size_t i = 0; i < o.size(); ++i)
     for (const bool second : {false, true}) {
+      const Measured kind = second == is_potential ? Measured::SlopeY : Measured::SlopeX;
+      const double c = geometry.length_x(o.y[i]) / unit_x, factor = kind == Measured::SlopeX ? c : 1;
       rows.x.push_back(o.x[i]);
       rows.y.push_back(o.y[i]);
-      rows.value.push_back(!second ? o.u[i] : is_potential ? o.v[i] : -o.v[i]);
-      rows.kind.push_back(second == is_potential ? Measured::SlopeY : Measured::SlopeX);
-      rows.weight.push_back(o.weight[i] / rows.total_weight);
+      rows.value.push_back(factor * (!second ? o.u[i] : is_potential ? o.v[i] : -o.v[i]));
+      rows.kind.push_back(kind);
+      rows.weight.push_back(o.weight[i] / rows.total_weight / (factor * factor));
       rows.source.push_back(chosen.source[i]);
+      result.stretch.push_back(c);
     }
-  return rows;
 }
 
 /// The slopes of s, t, s², s t, t² that a row measures, and what it measures of φ = s² + t² where they are those of ψ.
-Eigen::Matrix<double, 6, 1> slopes(Measured kind, double s, double t) {
+Eigen::Matrix<double, 6, 1> slopes(Measured kind, double stretch, double s, double t) {
   Eigen::Matrix<double, 6, 1> result;
   if (kind == Measured::SlopeX)
-    result << 1, 0, 2 * s, t, 0, -2 * t;
+    result << 1, 0, 2 * s, t, 0, -2 * t * stretch;
   else
-    result << 0, 1, 0, s, 2 * t, 2 * s;
+    result << 0, 1, 0, s, 2 * t, 2 * s / stretch;
   return result;
 }
 
@@ -141,9 +155,11 @@ Eigen::Matrix<double, 6, 1> slopes(Measured kind, double s, double t) {
 void normalise(const Rectangle& region, const FlowOptions& options, FlowData& result) {
   FitData& d = result.rows;
   QuadraticFunction& q = result.null_element;
-  q.length = std::max(region.x.length(), region.y.length());
-  q.x0 = std::inner_product(d.x.begin(), d.x.end(), d.weight.begin(), 0.);
-  q.y0 = std::inner_product(d.y.begin(), d.y.end(), d.weight.begin(), 0.);
+  const double aspect = geometry_of(options).aspect(region);
+  q.length = std::max(region.x.length(), region.y.length() * aspect);
+  const double total = std::accumulate(d.weight.begin(), d.weight.end(), 0.);
+  q.x0 = std::inner_product(d.x.begin(), d.x.end(), d.weight.begin(), 0.) / total;
+  q.y0 = std::inner_product(d.y.begin(), d.y.end(), d.weight.begin(), 0.) / total;
   const auto [low, high] = std::minmax_element(d.value.begin(), d.value.end());
   const double largest = std::max(std::abs(*low), std::abs(*high)), range = *high - *low;
   const Eigen::Index used = !options.sides.are_free()             ? 0
@@ -156,7 +172,8 @@ void normalise(const Rectangle& region, const FlowOptions& options, FlowData& re
     Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(used, used);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(used);
     const auto row = [&](std::size_t i) {
-      return Eigen::VectorXd(slopes(d.kind[i], (d.x[i] - q.x0) / q.length, (d.y[i] - q.y0) / q.length).head(used));
+      const double s = (d.x[i] - q.x0) / q.length, t = aspect * (d.y[i] - q.y0) / q.length;
+      return Eigen::VectorXd(slopes(d.kind[i], result.stretch[i], s, t).head(used));
     };
     for (std::size_t i = 0; i < d.size(); ++i) {
       moments += d.weight[i] * row(i) * row(i).transpose();
@@ -166,8 +183,9 @@ void normalise(const Rectangle& region, const FlowOptions& options, FlowData& re
     for (Eigen::Index k = 0; k < used; ++k) found[static_cast<std::size_t>(k)] += step[k];
     for (std::size_t i = 0; i < d.size(); ++i) d.value[i] -= row(i).dot(step);
   }
-  std::copy_n(found.begin(), 5, q.c.begin() + 1);
-  result.null_potential = {{0, 0, 0, found[5], 0, found[5]}, q.x0, q.y0, q.length};
+  // A QuadraticFunction knows no aspect.
+  q.c = {0, found[0], aspect * found[1], found[2], aspect * found[3], aspect * aspect * found[4]};
+  result.null_potential = {{0, 0, 0, found[5], 0, aspect * aspect * found[5]}, q.x0, q.y0, q.length};
   d.scale = range > 0 ? range : largest > 0 ? largest : 1;
   double left = 0;
   for (double& v : d.value) left = std::max(left, std::abs(v /= d.scale));
@@ -181,13 +199,18 @@ Energy energy_of(FlowModel model) {
   return model == FlowModel::Slow ? Energy::thin_plate() : Energy::third_derivatives();
 }
 
+FlowGeometry geometry_of(const FlowOptions& options) {
+  return options.geographic ? FlowGeometry::sphere() : FlowGeometry::plane();
+}
+
 FlowData prepare_flow(const VectorObservations& o, const Rectangle& region, const FlowOptions& options,
                       bool merge_coincident) {
   check(o);
+  check_geometry(region, options);
   FlowData result;
   const Chosen chosen = choose(o, region, merge_coincident, result);
   check_determined(chosen.vectors, region, options, o.size());
-  result.rows = rows_of(chosen, options.model);
+  add_rows(chosen, region, options, result);
   normalise(region, options, result);
   return result;
 }

@@ -68,29 +68,43 @@ private:
 
 }  // namespace
 
-FlowField::FlowField(std::optional<Solution> stream, std::optional<Solution> potential)
+FlowField::FlowField(std::optional<Solution> stream, std::optional<Solution> potential, const FlowGeometry& geometry)
     : stream_(std::move(stream)),
       potential_(std::move(potential)),
+      geometry_(geometry),
       x_(first_of(stream_, potential_).region().x, any().degree()),
       y_(any().region().y, any().degree()) {
   if (stream_ && potential_ && !alike(*stream_, *potential_))
     throw InvalidInput("FlowField: expected a stream function and a potential on the same cells and of one degree");
   if (degree() < 2) throw InvalidInput("FlowField: expected a degree of at least 2, found " + std::to_string(degree()));
+  try {
+    geometry_.expect_inside(region());
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(std::string("FlowField: ") + error.what());
+  }
 }
+
+// East and north below stand for 1 over the length of one unit of x and of y, in a plane 1.
 
 FlowField::Velocity FlowField::velocity(double x, double y) const {
   if (!region().contains(x, y)) return {outside, outside};
   const Patch at(x_, y_, x, y, 1);
-  return {at.derivative(stream_, 0, 1) + at.derivative(potential_, 1, 0),
-          -at.derivative(stream_, 1, 0) + at.derivative(potential_, 0, 1)};
+  const double east = 1 / geometry_.length_x(y), north = 1 / geometry_.length_y();
+  return {north * at.derivative(stream_, 0, 1) + east * at.derivative(potential_, 1, 0),
+          -east * at.derivative(stream_, 1, 0) + north * at.derivative(potential_, 0, 1)};
 }
 
 FlowField::Gradient FlowField::gradient(double x, double y) const {
   if (!region().contains(x, y)) return {outside, outside, outside, outside};
   const Patch at(x_, y_, x, y, 2);
-  const double psi_xy = at.derivative(stream_, 1, 1), phi_xy = at.derivative(potential_, 1, 1);
-  return {psi_xy + at.derivative(potential_, 2, 0), at.derivative(stream_, 0, 2) + phi_xy,
-          -at.derivative(stream_, 2, 0) + phi_xy, -psi_xy + at.derivative(potential_, 0, 2)};
+  const double east = 1 / geometry_.length_x(y), north = 1 / geometry_.length_y(), bend = geometry_.bend(y);
+  const double psi_xy = east * north * at.derivative(stream_, 1, 1);
+  const double phi_xy = east * north * at.derivative(potential_, 1, 1);
+  // ∂_y of 1 / cos y makes the terms with bend.
+  return {psi_xy + east * east * at.derivative(potential_, 2, 0),
+          north * north * at.derivative(stream_, 0, 2) + phi_xy + bend * east * at.derivative(potential_, 1, 0),
+          -east * east * at.derivative(stream_, 2, 0) + phi_xy,
+          -psi_xy - bend * east * at.derivative(stream_, 1, 0) + north * north * at.derivative(potential_, 0, 2)};
 }
 
 double FlowField::speed(double x, double y) const {
@@ -98,21 +112,22 @@ double FlowField::speed(double x, double y) const {
   return std::hypot(u, v);
 }
 
-double FlowField::divergence(double x, double y) const {
-  if (!region().contains(x, y)) return outside;
-  const Patch at(x_, y_, x, y, 2);
-  return at.derivative(potential_, 2, 0) + at.derivative(potential_, 0, 2);
-}
+double FlowField::divergence(double x, double y) const { return laplacian(potential_, x, y); }
 
-double FlowField::vorticity(double x, double y) const {
+double FlowField::vorticity(double x, double y) const { return -laplacian(stream_, x, y); }
+
+/// div grad p, that of Laplace and Beltrami on a sphere.
+double FlowField::laplacian(const std::optional<Solution>& p, double x, double y) const {
   if (!region().contains(x, y)) return outside;
   const Patch at(x_, y_, x, y, 2);
-  return -(at.derivative(stream_, 2, 0) + at.derivative(stream_, 0, 2));
+  const double east = 1 / geometry_.length_x(y), north = 1 / geometry_.length_y();
+  return east * east * at.derivative(p, 2, 0) + north * north * at.derivative(p, 0, 2) -
+         geometry_.bend(y) * north * at.derivative(p, 0, 1);
 }
 
 double FlowField::stream_function(double x, double y) const {
   if (!region().contains(x, y)) return outside;
-  return stream_ ? stream_->value(x, y) : 0;
+  return stream_ ? sign_of_stream() * stream_->value(x, y) : 0;
 }
 
 namespace {
@@ -128,9 +143,21 @@ std::vector<double> sampled(const std::optional<Solution>& p, const SplineBasis&
   return values;
 }
 
-/// a + factor b
-std::vector<double> sum(std::vector<double> a, double factor, const std::vector<double>& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+std::vector<double> scaled(double factor, std::vector<double> a) {
+  for (double& v : a) v *= factor;
+  return a;
+}
+
+/// a + b
+std::vector<double> sum(std::vector<double> a, const std::vector<double>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+  return a;
+}
+
+/// One factor for each row of the grid.
+std::vector<double> rows_scaled(const std::vector<double>& factors, std::vector<double> a) {
+  const std::size_t columns = a.size() / factors.size();
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] *= factors[i / columns];
   return a;
 }
 
@@ -143,8 +170,19 @@ GridSamples FlowField::samples() const {
                      {ix.finest_cell_length(), iy.finest_cell_length()},
                      {}};
   const auto of = [this](const std::optional<Solution>& p, int a, int b) { return sampled(p, x_, y_, a, b); };
-  const auto u = sum(of(stream_, 0, 1), 1, of(potential_, 1, 0));
-  const auto v = sum(of(potential_, 0, 1), -1, of(stream_, 1, 0));
+  const double north = 1 / geometry_.length_y();
+  std::vector<double> east, east_square, bend;
+  for (int j = 0; j <= iy.cells(); ++j) {
+    east.push_back(1 / geometry_.length_x(iy.coordinate(j)));
+    east_square.push_back(east.back() * east.back());
+    bend.push_back(-geometry_.bend(iy.coordinate(j)) * north);
+  }
+  const auto laplacian = [&](const std::optional<Solution>& p) {
+    auto values = sum(rows_scaled(east_square, of(p, 2, 0)), scaled(north * north, of(p, 0, 2)));
+    return geometry_.is_sphere() ? sum(std::move(values), rows_scaled(bend, of(p, 0, 1))) : values;
+  };
+  const auto u = sum(scaled(north, of(stream_, 0, 1)), rows_scaled(east, of(potential_, 1, 0)));
+  const auto v = sum(scaled(north, of(potential_, 0, 1)), scaled(-1, rows_scaled(east, of(stream_, 1, 0))));
   PointArray velocity{"velocity", 3, std::vector<double>(3 * u.size())}, speed{"speed", 1, u};
   for (std::size_t i = 0; i < u.size(); ++i) {
     velocity.values[3 * i] = u[i];
@@ -152,12 +190,10 @@ GridSamples FlowField::samples() const {
     speed.values[i] = std::hypot(u[i], v[i]);
   }
   result.arrays.push_back(std::move(velocity));
-  result.arrays.push_back({"divergence", 1, sum(of(potential_, 2, 0), 1, of(potential_, 0, 2))});
-  auto vorticity = sum(of(stream_, 2, 0), 1, of(stream_, 0, 2));
-  for (double& w : vorticity) w = -w;
-  result.arrays.push_back({"vorticity", 1, std::move(vorticity)});
+  result.arrays.push_back({"divergence", 1, laplacian(potential_)});
+  result.arrays.push_back({"vorticity", 1, scaled(-1, laplacian(stream_))});
   result.arrays.push_back(std::move(speed));
-  if (stream_) result.arrays.push_back({"stream_function", 1, of(stream_, 0, 0)});
+  if (stream_) result.arrays.push_back({"stream_function", 1, scaled(sign_of_stream(), of(stream_, 0, 0))});
   if (potential_) result.arrays.push_back({"potential", 1, of(potential_, 0, 0)});
   return result;
 }
@@ -176,6 +212,7 @@ Record FlowField::to_record() const {
   record.region = {region().x.lower(), region().x.upper(), region().y.lower(), region().y.upper()};
   if (stream_) record.arrays["stream_coefficients"] = numbers(*stream_);
   if (potential_) record.arrays["potential_coefficients"] = numbers(*potential_);
+  if (geometry_.is_sphere()) record.numbers["sphere_radius"] = geometry_.radius();
   return record;
 }
 
@@ -193,7 +230,9 @@ FlowField FlowField::from_record(const Record& record) {
   if (!stream && !potential)
     throw InvalidInput(
         "FlowField::from_record: expected an array \"stream_coefficients\" or \"potential_coefficients\", found none");
-  return FlowField(std::move(stream), std::move(potential));
+  const auto radius = record.numbers.find("sphere_radius");
+  const auto geometry = radius == record.numbers.end() ? FlowGeometry::plane() : FlowGeometry::sphere(radius->second);
+  return FlowField(std::move(stream), std::move(potential), geometry);
 }
 
 namespace {
@@ -212,6 +251,8 @@ double product(const Solution& p, std::array<int, 2> a, const Solution& q, std::
 double inner_product(const FlowField& a, const FlowField& b) {
   const Solution& one = a.stream() ? *a.stream() : *a.potential();
   const Solution& two = b.stream() ? *b.stream() : *b.potential();
+  if (a.geometry().is_sphere() || b.geometry().is_sphere())
+    throw InvalidInput("inner_product: expected fields in a plane, found one on a sphere");
   if (!alike(one, two)) throw InvalidInput("inner_product: expected fields on the same cells and of one degree");
   const SplineBasis x(a.region().x, a.degree()), y(a.region().y, a.degree());
   const double hx = x.interval().finest_cell_length(), hy = y.interval().finest_cell_length();

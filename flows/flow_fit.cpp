@@ -43,8 +43,9 @@ Smoothing checked(const FlowOptions& options) {
   return s.kind == Smoothing::Kind::Fixed && s.value == 0 ? Smoothing::none() : s;
 }
 
-FitOptions scalar_options(const FlowOptions& options) {
+FitOptions scalar_options(const FlowOptions& options, const Rectangle& region) {
   FitOptions result;
+  result.aspect = geometry_of(options).aspect(region);
   result.energy = energy_of(options.model);
   result.degree = options.degree;
   result.limits = options.limits;
@@ -82,8 +83,8 @@ ScaledFit solve_none(PenalisedProblem& problem, const FitOptions& options, FlowR
   return solve_fixed(problem, lambda, options);
 }
 
-ScaledFit solve_for(const Smoothing& smoothing, PenalisedProblem& problem, double unit, const FitOptions& options,
-                    FlowResult& result) {
+ScaledFit solve_for(const Smoothing& smoothing, PenalisedProblem& problem, const FlowData& data,
+                    const FitOptions& options, FlowResult& result) {
   const auto solved = [&](auto&& work) { return timed(result.seconds, "solve", work); };
   switch (smoothing.kind) {
     case Smoothing::Kind::Automatic:
@@ -94,11 +95,20 @@ ScaledFit solve_for(const Smoothing& smoothing, PenalisedProblem& problem, doubl
       return solved([&] { return solve_none(problem, options, result); });
     default:  // not of General
       return solved([&] {
-        const std::vector<double> tolerances(problem.size(), smoothing.value / unit);
+        std::vector<double> tolerances;
+        for (const std::size_t row : problem.order()) {
+          const double factor = data.rows.kind[row] == Measured::SlopeX ? data.stretch[row] : 1;
+          tolerances.push_back(factor * smoothing.value / data.rows.scale);
+        }
         return interpolate_within(dynamic_cast<FitProblem&>(problem), tolerances, options);
       });
   }
 }
+
+struct Grid {
+  const Rectangle& region;
+  FlowGeometry geometry;
+};
 
 Solution with_zero_mean(const Rectangle& region, int degree, std::vector<double> c) {
   const double mean = mean_value(Solution(region, degree, c));
@@ -106,14 +116,15 @@ Solution with_zero_mean(const Rectangle& region, int degree, std::vector<double>
   return Solution(region, degree, std::move(c));
 }
 
-/// The spline of scaled coefficients and a null element in the units of the observations.
+/// The spline of scaled coefficients and a null element in the units of the observations, times the length of the
+/// longer side.
 Solution in_units(std::span<const double> scaled, double scale, const QuadraticFunction& null_element,
-                  const SplineSpace& space, const Rectangle& region) {
+                  const SplineSpace& space, const Grid& grid) {
   std::vector<double> c(scaled.begin(), scaled.end());
   for (double& v : c) v *= scale;
   null_element.add_to(space, c);
-  for (double& v : c) v *= null_element.length;
-  return with_zero_mean(region, space.x.degree(), std::move(c));
+  for (double& v : c) v *= grid.geometry.longer_side(grid.region);
+  return with_zero_mean(grid.region, space.x.degree(), std::move(c));
 }
 
 /// The same field, where φ is orthogonal to the gradients of harmonic quadratics: those are rotations as well.
@@ -150,12 +161,13 @@ FlowField field_of(const FlowOptions& options, const ScaledFit& fit, const FlowD
                    const Rectangle& region) {
   const std::span<const double> c = fit.coefficients;
   const double scale = data.rows.scale;
-  Solution part = in_units(c.first(space.size()), scale, data.null_element, space, region);
-  if (options.model == FlowModel::Irrotational) return FlowField({}, std::move(part));
-  if (options.model != FlowModel::General) return FlowField(std::move(part));
-  return given_to_stream(
-      FlowField(std::move(part), in_units(c.last(space.size()), scale, data.null_potential, space, region)), space,
-      data.null_element);
+  const Grid grid{region, geometry_of(options)};
+  Solution part = in_units(c.first(space.size()), scale, data.null_element, space, grid);
+  if (options.model == FlowModel::Irrotational) return FlowField({}, std::move(part), grid.geometry);
+  if (options.model != FlowModel::General) return FlowField(std::move(part), {}, grid.geometry);
+  FlowField field(std::move(part), in_units(c.last(space.size()), scale, data.null_potential, space, grid),
+                  grid.geometry);
+  return options.geographic ? field : given_to_stream(field, space, data.null_element);
 }
 
 /// Residuals and fitted velocities in the units of the observations.
@@ -195,15 +207,15 @@ bool within(const VectorObservations& o, double tolerance, const FlowResult& res
   return true;
 }
 
-std::unique_ptr<PenalisedProblem> make_problem(const FitData& rows, const Rectangle& region,
+std::unique_ptr<PenalisedProblem> make_problem(const FlowData& data, const Rectangle& region,
                                                const FlowOptions& options) {
-  if (options.model == FlowModel::General)
-    return std::make_unique<CoupledProblem>(rows, region, scalar_options(options), options.ratio);
+  const FitOptions scalar = scalar_options(options, region);
+  if (options.model == FlowModel::General) return std::make_unique<CoupledProblem>(data, region, scalar, options);
   const bool potential = is_potential(options.model);
   const SpaceEnds ends = side_conditions(options.sides, potential);
   const auto functions = side_functions(options.sides, potential);
-  if (functions.empty()) return std::make_unique<FitProblem>(rows, region, scalar_options(options), ends);
-  return std::make_unique<ExtendedProblem>(rows, region, scalar_options(options), ends, functions);
+  if (functions.empty()) return std::make_unique<FitProblem>(data.rows, region, scalar, ends);
+  return std::make_unique<ExtendedProblem>(data.rows, region, scalar, ends, functions);
 }
 
 /// Of the scaled coefficients, which differ from the splines by what has no energy.
@@ -222,7 +234,10 @@ void measure_energy(const FlowOptions& options, const ScaledFit& fit, double sca
 
 /// Fluxes and mean flows, which are differences of ψ or φ between opposite sides.
 void measure_sides(const FlowOptions& options, FlowResult& result) {
-  const Interval &x = result.field.region().x, &y = result.field.region().y;
+  const Rectangle& region = result.field.region();
+  const auto& [x, y] = region;
+  // At the mid latitude.
+  const double unit_y = result.field.geometry().length_y(), unit_x = unit_y / result.field.geometry().aspect(region);
   const bool potential = is_potential(options.model);
   const Solution& p = potential ? *result.field.potential() : *result.field.stream();
   const double low = p.value(x.lower(), y.lower());
@@ -232,7 +247,7 @@ void measure_sides(const FlowOptions& options, FlowResult& result) {
     const double difference = is_x ? across : upwards;
     if ((is_x ? options.sides.left : options.sides.bottom) == FlowSide::Periodic)
       (is_x == potential ? result.mean_u : result.mean_v) =
-          (is_x && !potential ? -1 : 1) * difference / (is_x ? x : y).length();
+          (is_x && !potential ? -1 : 1) * difference / (is_x ? x.length() * unit_x : y.length() * unit_y);
     else
       result.flux = is_x ? -difference : difference;
   }
@@ -246,12 +261,13 @@ FlowResult fit_flow(const VectorObservations& observations, const Rectangle& reg
   const FlowData data = timed(seconds, "prepare", [&] {
     return prepare_flow(observations, region, options, smoothing.kind == Smoothing::Kind::None);
   });
-  const auto problem = timed(seconds, "set up", [&] { return make_problem(data.rows, region, options); });
-  const SplineSpace space = finest_space(region, options.degree);
+  const auto problem = timed(seconds, "set up", [&] { return make_problem(data, region, options); });
+  const FitOptions scalar = scalar_options(options, region);
+  const SplineSpace space = finest_space(region, options.degree, {scalar.aspect});
 
   FlowResult result{.field = field_of(options, {std::vector<double>(problem->unknowns())}, data, space, region)};
   result.seconds = std::move(seconds);
-  ScaledFit fit = solve_for(smoothing, *problem, data.rows.scale, scalar_options(options), result);
+  ScaledFit fit = solve_for(smoothing, *problem, data, scalar, result);
   fit.coefficients = problem->whole(fit.coefficients);
   result.points_outside = data.outside;
   result.points_merged = data.merged;

@@ -23,8 +23,11 @@ enum class FlowModel {
 
 struct FlowOptions {
   FlowModel model = FlowModel::Smooth;
-  double ratio = 1;     ///< of General, > 0: a large one gives ψ all that it can
-  int degree = 3;       ///< of the B-splines, 3 to 5
+  double ratio = 1;  ///< of General, > 0: a large one gives ψ all that it can
+  int degree = 3;    ///< of the B-splines, 3 to 5
+  /// x is the longitude and y the latitude in degrees, u the velocity to the east and v to the north, on a sphere with
+  /// the mean radius of the Earth in km.
+  bool geographic = false;
   FlowSides sides;      ///< not of General; walls without slip not of Irrotational
   Smoothing smoothing;  ///< λ = 0 means Smoothing::none(); a tolerance is one of u and of v, not for General
   IterationLimits limits;
@@ -50,7 +53,7 @@ struct FlowResult {
   int iterations = 0, search_iterations = 0;  ///< V-cycles of the final solves, of cross-validation
   double accuracy = 0;                        ///< estimated relative error in the energy norm
   std::optional<double> flux;                 ///< from left to right, or upwards, between two walls that are opposite
-  std::optional<double> mean_u, mean_v;       ///< along directions in which the flow is periodic
+  std::optional<double> mean_u, mean_v;       ///< along directions in which the flow is periodic; see fit_flow
   std::vector<double> fitted_u, fitted_v;     ///< at all observations; NaN outside the region
   /// Largest |u_x + v_y| over largest |∇v|, both by central differences of evaluated velocities over a thousandth of a
   /// cell, at random points.
@@ -64,15 +67,17 @@ struct FlowResult {
 ///   Σ_i w_i |v(x_i) - v_i|² / (2 Σ_i w_i)  +  λ E
 ///
 /// with E measured in coordinates in which the longer side of the region has length 1 and ψ and φ divided by that
-/// length, so that velocities keep their unit; x and y have one unit. Through walls nothing flows at any point: ψ is
+/// length, so that velocities keep their unit; x and y have one unit. On a sphere these coordinates are longitude and
+/// latitude, one unit of latitude counted as 1 / cos of the mid latitude, E is that of the plane in them, and v is as
+/// in FlowField; mean flows are those at the mid latitude. Through walls nothing flows at any point: ψ is
 /// constant on each connected wall, and the differences of these constants, the fluxes, are found by the fit, as are
 /// the mean flows along periodic directions. ψ and φ have zero mean. A field that is both a rotation and a gradient can
 /// be given to ψ or φ: General splits it by the least energy, and gives ψ what costs nothing, so that φ is orthogonal
-/// to the gradients of x, y, x² - y² and x y. Observations outside the region are left out. Throws InvalidInput for
-/// data that do not determine the field (three points not on a line, for Slow one point), and, as fit_surface does, for
-/// numbers that are not finite, weights that are negative or all zero, ratios that are not positive, degrees other than
-/// 3 to 5, sides that contradict each other or the model, and tolerances where a flux or mean flow is to be found;
-/// SolverError if the iteration fails.
+/// to the gradients of x, y, x² - y² and x y; on a sphere none of these is both. Observations outside the region are
+/// left out. Throws InvalidInput for data that do not determine the field (three points not on a line, for Slow one
+/// point), and, as fit_surface does, for numbers that are not finite, weights that are negative or all zero, ratios
+/// that are not positive, degrees other than 3 to 5, sides that contradict each other or the model, regions that are
+/// not between the poles, and tolerances where a flux or mean flow is to be found; SolverError if the iteration fails.
 FlowResult fit_flow(const VectorObservations& observations, const Rectangle& region, const FlowOptions& options = {});
 
 }  // namespace batten

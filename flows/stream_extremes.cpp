@@ -19,8 +19,8 @@ StreamExtremes::Place refined(const FlowField& field, const StreamExtremes::Plac
     const auto g = field.gradient(at.x, at.y);
     const double determinant = g.u_x * g.v_y - g.u_y * g.v_x;
     const double dx = (g.u_y * v - g.v_y * u) / determinant, dy = (g.v_x * u - g.u_x * v) / determinant;
-    at.x += dx;
-    at.y += dy;
+    at.x += dx / field.geometry().length_x(at.y);
+    at.y += dy / field.geometry().length_y();
     const bool near = std::abs(at.x - start.x) <= farthest * hx && std::abs(at.y - start.y) <= farthest * hy;
     if (!near || !field.region().contains(at.x, at.y)) return start;
   }
@@ -33,7 +33,9 @@ StreamExtremes::Place refined(const FlowField& field, const StreamExtremes::Plac
 StreamExtremes stream_extremes(const FlowField& field) {
   if (!field.stream()) throw InvalidInput("stream_extremes: expected a field with a stream function, found none");
   const GridSamples grid = field.stream()->samples();
-  const std::vector<double>& psi = grid.arrays.front().values;
+  std::vector<double> psi = grid.arrays.front().values;
+  if (field.geometry().is_sphere())
+    for (double& v : psi) v = -v;
   const auto [least, largest] = std::ranges::minmax(psi);
   const double rounding = 1e-13 * (largest - least);
   const auto place = [&](double extreme) {  // the first of those along a wall

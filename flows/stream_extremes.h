@@ -6,7 +6,7 @@
 namespace batten {
 
 /// Where ψ is least and largest. Inside these are centres about which the flow turns: clockwise about the least, where
-/// ψ grows outwards, and counterclockwise about the largest.
+/// ψ grows outwards, and counterclockwise about the largest; on a sphere, where ψ has the other sign, conversely.
 struct StreamExtremes {
   struct Place {
     double value = 0, x = 0, y = 0;

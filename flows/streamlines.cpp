@@ -40,8 +40,6 @@ constexpr double stage_weights[stages][stages - 1] = {
 constexpr std::array<double, stages> error_weights = {71 / 57600.,      0,         -71 / 16695., 71 / 1920.,
                                                       -17253 / 339200., 22 / 525., -1 / 40.};
 
-double square(double v) { return v * v; }
-
 double largest_speed(const FlowField& field) {
   double largest = 0;
   for (const PointArray& array : field.samples().arrays) {
@@ -51,13 +49,18 @@ double largest_speed(const FlowField& field) {
   return largest;
 }
 
+/// Length of a step (dx, dy) near y.
+double length_of(const FlowGeometry& geometry, double dx, double dy, double y) {
+  return std::hypot(dx * geometry.length_x(y), dy * geometry.length_y());
+}
+
 // Points of the line at least so far from each other along it, and its last.
-std::vector<std::size_t> spread_points(const Streamline& line, double distance) {
+std::vector<std::size_t> spread_points(const FlowGeometry& geometry, const Streamline& line, double distance) {
   std::vector<std::size_t> kept = {0};
   for (std::size_t i = 1; i < line.x.size(); ++i) {
     const std::size_t k = kept.back();
-    const double gone = square(line.x[i] - line.x[k]) + square(line.y[i] - line.y[k]);
-    if (i + 1 == line.x.size() || gone >= square(distance)) kept.push_back(i);
+    const double gone = length_of(geometry, line.x[i] - line.x[k], line.y[i] - line.y[k], line.y[i]);
+    if (i + 1 == line.x.size() || gone >= distance) kept.push_back(i);
   }
   return kept;
 }
@@ -109,7 +112,11 @@ private:
 
   bool returns(const State& p) const {
     const double near = 2 * tracer_.longest_step_;
-    return beyond(points_.back()) < 0 && beyond(p) >= 0 && square(p.x - seed_.x) + square(p.y - seed_.y) < square(near);
+    return beyond(points_.back()) < 0 && beyond(p) >= 0 && from_seed(p) < near;
+  }
+
+  double from_seed(const State& p) const {
+    return length_of(tracer_.field_.geometry(), p.x - seed_.x, p.y - seed_.y, seed_.y);
   }
 
   // The longest step from the last point, up to `length`, whose end does not fulfil the test, and that end.
@@ -133,7 +140,7 @@ private:
   StreamlineEnd end_on_side(double length) {
     const Rectangle& region = tracer_.field_.region();
     State end = end_before(length, [&](double x, double y) { return !region.contains(x, y); });
-    const double rounding = 1e-12 * tracer_.side_;
+    const double rounding = 1e-12 * std::max(region.x.length(), region.y.length());
     const auto snap = [&](const Interval& interval, double& v) {
       for (const double side : {interval.lower(), interval.upper()})
         if (std::abs(v - side) < rounding) v = side;
@@ -150,7 +157,7 @@ private:
   bool close(double length) {
     const State end = end_before(length, [&](double x, double y) { return beyond({x, y}) >= 0; });
     const double allowed = 1e4 * tracer_.options_.tolerance * tracer_.side_;
-    if (std::hypot(end.x - seed_.x, end.y - seed_.y) > allowed) return false;
+    if (from_seed(end) > allowed) return false;
     points_.push_back({seed_.x, seed_.y, end.time});
     return true;
   }
@@ -165,7 +172,7 @@ private:
 StreamlineTracer::StreamlineTracer(const FlowField& field, const StreamlineOptions& options)
     : field_(field),
       options_(options),
-      side_(std::max(field.region().x.length(), field.region().y.length())),
+      side_(field.geometry().longer_side(field.region())),
       speed_(largest_speed(field)) {
   for (const double number : {options.tolerance, options.longest, options.slowest}) {
     if (!(number > 0 && std::isfinite(number)))
@@ -173,17 +180,20 @@ StreamlineTracer::StreamlineTracer(const FlowField& field, const StreamlineOptio
   }
   constexpr double fewest_steps = 200;  // along the longer side, for the eye
   const auto &ix = field.region().x, &iy = field.region().y;
-  longest_step_ = std::min({ix.finest_cell_length(), iy.finest_cell_length(), side_ / fewest_steps});
+  const FlowGeometry& geometry = field.geometry();
+  const double unit_y = geometry.length_y(), unit_x = unit_y / geometry.aspect(field.region());
+  longest_step_ = std::min({unit_x * ix.finest_cell_length(), unit_y * iy.finest_cell_length(), side_ / fewest_steps});
 }
 
 /// Outside the region the field is that of the nearest point.
 StreamlineTracer::State StreamlineTracer::slope(const State& at, double direction) const {
   const auto &ix = field_.region().x, &iy = field_.region().y;
-  const auto [u, v] =
-      field_.velocity(std::clamp(at.x, ix.lower(), ix.upper()), std::clamp(at.y, iy.lower(), iy.upper()));
+  const double x = std::clamp(at.x, ix.lower(), ix.upper()), y = std::clamp(at.y, iy.lower(), iy.upper());
+  const auto [u, v] = field_.velocity(x, y);
   const double speed = std::hypot(u, v);
   if (speed == 0) return {};
-  return State{u, v, 1} * (direction / speed);
+  const FlowGeometry& geometry = field_.geometry();
+  return State{u / geometry.length_x(y), v / geometry.length_y(), 1} * (direction / speed);
 }
 
 StreamlineTracer::Step StreamlineTracer::step(const State& from, double length, double direction) const {
@@ -197,7 +207,8 @@ StreamlineTracer::Step StreamlineTracer::step(const State& from, double length, 
   }
   // Times grow without bound towards points at rest: their errors are measured against them.
   const double time_unit = std::max(side_ / speed_, std::abs(end.time));
-  const double found = std::max(std::hypot(error.x, error.y) / side_, std::abs(error.time) / time_unit);
+  const double found =
+      std::max(length_of(field_.geometry(), error.x, error.y, from.y) / side_, std::abs(error.time) / time_unit);
   return {end, found / options_.tolerance};
 }
 
@@ -228,6 +239,7 @@ Streamline StreamlineTracer::trace(double x, double y) const {
 std::vector<Streamline> StreamlineTracer::evenly_spaced(int count) const {
   constexpr int across = 64;
   const Rectangle& region = field_.region();
+  const FlowGeometry& geometry = field_.geometry();
   struct Candidate {
     double x, y, distance;
   };
@@ -245,9 +257,9 @@ std::vector<Streamline> StreamlineTracer::evenly_spaced(int count) const {
     if (seed->distance == 0) break;
     Streamline line = trace(seed->x, seed->y);
     seed->distance = 0;
-    for (const std::size_t i : spread_points(line, side_ / (2 * across)))
+    for (const std::size_t i : spread_points(geometry, line, side_ / (2 * across)))
       for (Candidate& c : candidates)
-        c.distance = std::min(c.distance, square(line.x[i] - c.x) + square(line.y[i] - c.y));
+        c.distance = std::min(c.distance, length_of(geometry, line.x[i] - c.x, line.y[i] - c.y, c.y));
     if (line.x.size() > 1) lines.push_back(std::move(line));
   }
   return lines;

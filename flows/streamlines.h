@@ -8,7 +8,7 @@
 
 namespace batten {
 
-/// Lengths are in those of the longer side of the region.
+/// Lengths are in those of the longer side of the region, on a sphere of FlowGeometry::longer_side.
 struct StreamlineOptions {
   double tolerance = 1e-10;  ///< of the error of a step: in length, and in the time that the fastest flow takes for it
   double longest = 10;       ///< upstream and downstream each
@@ -33,7 +33,8 @@ struct Streamline {
 };
 
 /// Follows a field: dx/ds = v / |v|, dt/ds = 1 / |v|, s the length of the line, by the Runge-Kutta pair of order 5(4)
-/// with steps of at most a cell [Dormand & Prince 1980]. The field is the spline, not samples of it.
+/// with steps of at most a cell [Dormand & Prince 1980]. The field is the spline, not samples of it. On a sphere s is
+/// the length on it; x and y stay degrees.
 class StreamlineTracer {
 public:
   /// `field` is kept by reference. Throws InvalidInput for options that are not positive.

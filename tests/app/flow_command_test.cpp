@@ -225,7 +225,7 @@ TEST_F(FlowCommand, refuses_what_does_not_fit_together) {
   expect_failure(out + "--smoothing much", 2, "--smoothing: 'much' is neither auto nor none");
   expect_failure(in + "-o f.csv", 2, "-o: the name must end with .vti");
   expect_failure(in + "-o f.vti --report in.csv", 2, "in.csv: is an input");
-  for (const char* const unknown : {"--shores closed", "--geographic", "--aspect 2"})
+  for (const char* const unknown : {"--shores closed", "--aspect 2"})
     expect_failure(out + unknown, 2, words(unknown)[0]);
 }
 
