@@ -72,7 +72,13 @@ void add_output(CLI::App& parser, FlowArguments& a) {
       ->option_text("POINTS.csv")
       ->excludes(count)
       ->group(group);
-  parser.add_option("--streamlines-out", a.streamlines_out, "the streamlines with speed, time and vorticity")
+  parser
+      .add_option("--parameter", a.parameter,
+                  "points of streamlines at equal steps of length or time; default: the steps of the tracer")
+      ->option_text("length|time")
+      ->check(CLI::IsMember({"length", "time"}))
+      ->group(group);
+  parser.add_option("--streamlines-out", a.streamlines_out, "the streamlines with speed, time, length and vorticity")
       ->option_text("OUT.vtp")
       ->group(group);
   parser.add_option("--picture", a.picture, "speed in colour under streamlines, or arrows")
@@ -104,6 +110,8 @@ void check_arguments(const FlowArguments& arguments) {
   if (are_traced && arguments.streamlines_out.empty() && arguments.picture.empty())
     throw UsageError(std::string(arguments.streamlines ? "--streamlines" : "--seeds") +
                      ": say what for, with --streamlines-out OUT.vtp or --picture OUT.png");
+  if (!arguments.parameter.empty() && arguments.streamlines_out.empty())
+    throw UsageError("--parameter is for the points of --streamlines-out OUT.vtp, which is missing");
   check_arguments(arguments.grid);
   const FlowSides sides = sides_of(arguments.sides);
   if (model == FlowModel::General && !sides.are_free())

@@ -29,7 +29,7 @@ struct FlowArguments {
   SmoothingArguments smoothing;
   GridArguments grid;
   std::optional<int> streamlines;
-  std::string seeds;
+  std::string seeds, parameter;
   std::string output, streamlines_out, picture, report;
   RunArguments run;
 };

@@ -37,7 +37,8 @@ of u per km. E counts one degree of latitude as 1 / cos(mid latitude) degrees of
 longitude. Regions lie between the poles.
 
 --streamlines N traces N lines of the flow, each through the place farthest from
-those before, to the sides, points at rest or ten longer sides away.
+those before, to the sides, points at rest or ten longer sides away; --parameter
+spaces their points evenly in length or time.
 
 Examples:
   batten flow examples/data/wind.csv --x longitude --y latitude --u u --v v --geographic --model general --smoothing 1e-7 --cells 48 48 -o wind.vti --picture wind.png

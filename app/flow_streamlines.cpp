@@ -4,7 +4,7 @@
 #include <batten/app/table_source.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
-#include <batten/flows/streamlines.h>
+#include <batten/flows/streamline_points.h>
 #include <batten/io/table.h>
 
 #include <algorithm>
@@ -39,6 +39,11 @@ std::vector<CurveSamples> streamlines_of(const FlowArguments& arguments, const F
     lines[k] = tracer.trace(seeds.x[k], seeds.y[k]);
   }
   if (arguments.streamlines) lines = tracer.evenly_spaced(*arguments.streamlines);
+  if (!arguments.parameter.empty()) {
+    const auto parameter = arguments.parameter == "time" ? StreamlineParameter::Time : StreamlineParameter::Length;
+    const double step = fine_step(field, parameter);
+    for (Streamline& line : lines) line = with_even_points(field, line, {.parameter = parameter, .step = step});
+  }
   std::vector<CurveSamples> curves;
   for (const Streamline& line : lines) curves.push_back(samples_of(field, line));
   return curves;

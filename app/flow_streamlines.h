@@ -21,7 +21,7 @@ struct FlowSeeds {
 /// InvalidInput for the first that lies outside the region.
 FlowSeeds read_seeds(const FlowArguments& arguments, const Rectangle& region);
 
-/// The streamlines that --streamlines or --seeds ask for, with speed, time and vorticity.
+/// The streamlines that --streamlines or --seeds ask for, with speed, time, length and vorticity.
 std::vector<CurveSamples> streamlines_of(const FlowArguments& arguments, const FlowSeeds& seeds,
                                          const FlowField& field);
 

@@ -13,10 +13,10 @@ namespace batten {
 
 /// A point of a line, at a time.
 struct StreamlineTracer::State {
-  double x = 0, y = 0, time = 0;
+  double x = 0, y = 0, time = 0, length = 0;
 
-  State operator+(const State& b) const { return {x + b.x, y + b.y, time + b.time}; }
-  State operator*(double factor) const { return {factor * x, factor * y, factor * time}; }
+  State operator+(const State& b) const { return {x + b.x, y + b.y, time + b.time, length + b.length}; }
+  State operator*(double factor) const { return {factor * x, factor * y, factor * time, factor * length}; }
 };
 
 struct StreamlineTracer::Step {
@@ -40,15 +40,6 @@ constexpr double stage_weights[stages][stages - 1] = {
 constexpr std::array<double, stages> error_weights = {71 / 57600.,      0,         -71 / 16695., 71 / 1920.,
                                                       -17253 / 339200., 22 / 525., -1 / 40.};
 
-double largest_speed(const FlowField& field) {
-  double largest = 0;
-  for (const PointArray& array : field.samples().arrays) {
-    if (array.name != "speed") continue;
-    for (const double v : array.values) largest = std::max(largest, v);
-  }
-  return largest;
-}
-
 /// Length of a step (dx, dy) near y.
 double length_of(const FlowGeometry& geometry, double dx, double dy, double y) {
   return std::hypot(dx * geometry.length_x(y), dy * geometry.length_y());
@@ -66,6 +57,15 @@ std::vector<std::size_t> spread_points(const FlowGeometry& geometry, const Strea
 }
 
 }  // namespace
+
+double largest_speed(const FlowField& field) {
+  double largest = 0;
+  for (const PointArray& array : field.samples().arrays) {
+    if (array.name != "speed") continue;
+    for (const double v : array.values) largest = std::max(largest, v);
+  }
+  return largest;
+}
 
 /// One way along a line, from its seed.
 class StreamlineTracer::Walk {
@@ -155,10 +155,10 @@ private:
 
   // Whether a step up to this length comes back to the seed; then the line ends there.
   bool close(double length) {
-    const State end = end_before(length, [&](double x, double y) { return beyond({x, y}) >= 0; });
+    const State end = end_before(length, [&](double x, double y) { return beyond({x, y, 0, 0}) >= 0; });
     const double allowed = 1e4 * tracer_.options_.tolerance * tracer_.side_;
     if (from_seed(end) > allowed) return false;
-    points_.push_back({seed_.x, seed_.y, end.time});
+    points_.push_back({seed_.x, seed_.y, end.time, end.length});
     return true;
   }
 
@@ -193,7 +193,7 @@ StreamlineTracer::State StreamlineTracer::slope(const State& at, double directio
   const double speed = std::hypot(u, v);
   if (speed == 0) return {};
   const FlowGeometry& geometry = field_.geometry();
-  return State{u / geometry.length_x(y), v / geometry.length_y(), 1} * (direction / speed);
+  return State{u / geometry.length_x(y), v / geometry.length_y(), 1, speed} * (direction / speed);
 }
 
 StreamlineTracer::Step StreamlineTracer::step(const State& from, double length, double direction) const {
@@ -224,11 +224,12 @@ Streamline StreamlineTracer::trace(double x, double y) const {
     line.x.push_back(p.x);
     line.y.push_back(p.y);
     line.time.push_back(p.time);
+    line.length.push_back(p.length);
   };
-  Walk down(*this, {x, y, 0}, 1);
+  Walk down(*this, {x, y, 0, 0}, 1);
   line.upstream = line.downstream = down.run();
   if (!line.closed()) {
-    Walk up(*this, {x, y, 0}, -1);
+    Walk up(*this, {x, y, 0, 0}, -1);
     line.upstream = up.run();
     for (std::size_t k = up.points().size(); k-- > 1;) add(up.points()[k]);
   }
@@ -270,10 +271,10 @@ CurveSamples samples_of(const FlowField& field, const Streamline& line) {
   curve.x = line.x;
   curve.y = line.y;
   curve.z.assign(line.x.size(), 0.);
-  curve.arrays = {{"speed", 1, {}}, {"time", 1, line.time}, {"vorticity", 1, {}}};
+  curve.arrays = {{"speed", 1, {}}, {"time", 1, line.time}, {"length", 1, line.length}, {"vorticity", 1, {}}};
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     curve.arrays[0].values.push_back(field.speed(line.x[i], line.y[i]));
-    curve.arrays[2].values.push_back(field.vorticity(line.x[i], line.y[i]));
+    curve.arrays[3].values.push_back(field.vorticity(line.x[i], line.y[i]));
   }
   return curve;
 }

@@ -26,7 +26,7 @@ enum class StreamlineEnd {
 /// Points in the direction of the flow. A closed one ends with the point it starts with, after the time of one turn.
 struct Streamline {
   std::vector<double> x, y;
-  std::vector<double> time;  ///< 0 at the seed, negative upstream
+  std::vector<double> time, length;  ///< 0 at the seed, negative upstream
   StreamlineEnd upstream = StreamlineEnd::Length, downstream = StreamlineEnd::Length;
 
   bool closed() const { return downstream == StreamlineEnd::Closed; }
@@ -62,7 +62,10 @@ private:
   double side_, speed_, longest_step_;
 };
 
-/// The line with the arrays "speed", "time" and "vorticity"; name and z are empty and 0.
+/// The largest speed at the corners of the cells.
+double largest_speed(const FlowField& field);
+
+/// The line with the arrays "speed", "time", "length" and "vorticity"; name and z are empty and 0.
 CurveSamples samples_of(const FlowField& field, const Streamline& line);
 
 }  // namespace batten

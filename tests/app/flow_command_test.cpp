@@ -73,7 +73,7 @@ TEST_F(FlowCommand, writes_everything_it_is_asked_for_and_five_lines) {
                              HasSubstr("6 streamlines"), HasSubstr("wrote f.vti f.vtp f.png f.json")));
   for (const char* const name : {"velocity", "divergence", "vorticity", "speed", "stream_function"})
     EXPECT_THAT(folder_.read("f.vti"), HasSubstr("Name=\"" + std::string(name) + "\"")) << name;
-  for (const char* const name : {"speed", "time", "vorticity"})
+  for (const char* const name : {"speed", "time", "length", "vorticity"})
     EXPECT_THAT(folder_.read("f.vtp"), HasSubstr("Name=\"" + std::string(name) + "\"")) << name;
   EXPECT_THAT(folder_.read("f.vti"), HasSubstr("Scalars=\"speed\" Vectors=\"velocity\""));
   EXPECT_THAT(folder_.read("f.vtp"), HasSubstr("NumberOfLines=\"6\""));
@@ -202,6 +202,22 @@ TEST_F(FlowCommand, streamlines_pass_through_the_seeds) {
   expect_failure(in + "--region 0 2 0 1 --cells 8 8 -o g.vti --seeds seeds.csv --streamlines-out g.vtp", 1,
                  "--seeds: seeds.csv: the seed of line 3 at (1.5, 1.25) lies outside the region (x from 0 to 2, y from "
                  "0 to 1)");
+}
+
+TEST_F(FlowCommand, points_of_streamlines_lie_evenly_in_length_or_time) {
+  folder_.write("seeds.csv", "x,y\n0.5,0.5\n");
+  const std::string line = in + "--region 0 2 0 1 --cells 8 8 --smoothing 1 -o f.vti --seeds seeds.csv ";
+  std::vector<std::string> files;
+  for (const char* const parameter : {"", "--parameter length ", "--parameter time "}) {
+    expect_success(folder_, line + parameter + "--streamlines-out f.vtp");
+    files.push_back(folder_.read("f.vtp"));
+    for (const char* const name : {"length", "time"})
+      EXPECT_THAT(files.back(), HasSubstr("Name=\"" + std::string(name) + "\"")) << name;
+  }
+  EXPECT_NE(files[0], files[1]);
+  EXPECT_NE(files[1], files[2]);
+  expect_failure(line + "--parameter speed --streamlines-out g.vtp", 2, "--parameter");
+  expect_failure(line + "--parameter time --picture g.png", 2, "--parameter is for the points of --streamlines-out");
 }
 
 TEST_F(FlowCommand, pictures_of_arrows_and_of_streamlines_differ) {

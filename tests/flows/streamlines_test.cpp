@@ -167,15 +167,16 @@ TEST(Streamlines, pass_over_points_at_rest) {
   EXPECT_TRUE(StreamlineTracer(rotation(0)).evenly_spaced(5).empty());
 }
 
-TEST(Streamlines, have_samples_with_speed_time_and_vorticity) {
+TEST(Streamlines, have_samples_with_speed_time_length_and_vorticity) {
   const FlowField field = rotation(3);
   const Streamline line = StreamlineTracer(field).trace(x0, y0 + 0.5);
   const CurveSamples curve = samples_of(field, line);
-  ASSERT_EQ(curve.arrays.size(), 3U);
+  ASSERT_EQ(curve.arrays.size(), 4U);
   EXPECT_EQ(curve.arrays[1].values, line.time);
+  EXPECT_EQ(curve.arrays[2].values, line.length);
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     ASSERT_NEAR(curve.arrays[0].values[i], 1.5, 1e-7);
-    ASSERT_NEAR(curve.arrays[2].values[i], 6, 1e-9);
+    ASSERT_NEAR(curve.arrays[3].values[i], 6, 1e-9);
   }
 }
 
