@@ -306,4 +306,15 @@ sum_of_changes(const double* s, const double* x, double scale, const double* fir
   return sum;
 }
 
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+double
+product_of_rows(const double* a, const double* b, std::ptrdiff_t n) {
+  double sum = 0;
+#pragma omp simd reduction(+ : sum)
+  for (std::ptrdiff_t i = 0; i < n; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
 }  // namespace batten

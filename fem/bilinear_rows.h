@@ -49,5 +49,7 @@ void multiply_rows(double factor, const double* a, const double* b, double* out,
 /// Σ (x - s) (scale (first - s) + r); s may be null for 0.
 double sum_of_changes(const double* s, const double* x, double scale, const double* first, const double* r,
                       std::ptrdiff_t n);
+/// Σ a b
+double product_of_rows(const double* a, const double* b, std::ptrdiff_t n);
 
 }  // namespace batten

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/fem/bilinear_rows.h>
 #include <batten/fem/bilinear_smoother.h>
+#include <batten/fem/bilinear_transfer.h>
 #include <batten/fem/streamed_block.h>
 
 #include <omp.h>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int panel_columns = 4096;                // the rings of so many fit in the second-level cache
 constexpr int margin = 8;                          // columns beyond a panel that its steps take in, a cache line
-constexpr int most_steps = 4;                      // which need no more than the margin
+constexpr int most_steps = margin - 2;             // of a pass, so that it needs no more than the margin
 constexpr int inner_weights = 7, end_weights = 9;  // in a row of them
 constexpr std::size_t shared_size = 20000;         // smaller levels are left to one thread
 
@@ -40,9 +41,6 @@ private:
 
 int panels(int columns) { return std::max(1, (columns + panel_columns / 2) / panel_columns); }
 
-/// True if columns are refined two by two.
-bool is_halved(const BandedRows& refinement) { return refinement.period == 2; }
-
 RowRange repeated_rows(const SplineBasis& basis) {
   const BandedRows mass = basis.inner_products(0), stiffness = basis.inner_products(1);
   return {std::max(mass.begin, stiffness.begin), std::min(mass.end, stiffness.end)};
@@ -58,13 +56,14 @@ std::vector<int> end_columns(const Hierarchy::Level& level) {
 
 }  // namespace
 
-/// What one pass reads and writes: `descend` has coarse_right, `ascend` has not.
+/// What one pass reads and writes: `descend` and `turn` have coarse_right, `ascend` has not.
 struct BilinearSmoother::Job {
-  Start start;  // both for `ascend`: the sum of the two
+  Start start;  // both for `ascend` and `turn`: the sum of the two
   const double* b = nullptr;
   double* x = nullptr;
   double* coarse_right = nullptr;
   bool measure = false;
+  int times = 1;  // that the steps of the polynomial are done
 };
 
 /// One pass over one block of rows and columns. Stage 0 brings b and the start, stages 1 .. steps make x_1 .. x_steps,
@@ -78,7 +77,8 @@ public:
         level_(*smoother.level_),
         rows_(level_.energy.rows()),
         n_(level_.energy.columns()),
-        steps_(static_cast<int>(smoother.steps_.size())),
+        steps_(job.times * static_cast<int>(smoother.steps_.size())),
+        begin_(steps_ - static_cast<int>(smoother.steps_.size())),
         last_(job.coarse_right ? steps_ + 1 : steps_),
         panel_(columns.index),
         panels_(columns.count),
@@ -90,7 +90,7 @@ public:
     all_ = widened(own_, margin, n_);
     if (job.coarse_right) {
       const auto& term = level_.restriction->terms().front();
-      const int by = is_halved(level_.refinement->terms().front().x) ? 2 : 1;
+      const int by = halves_columns(*level_.refinement) ? 2 : 1;
       coarse_ = {own_.begin / by, is_last ? term.x.rows : own_.end / by};
       coarse_rows_ = part<RowRange>(term.y.rows, rows);
       needed_rows_ = with_inputs(own_rows_, term.y, coarse_rows_);
@@ -116,13 +116,15 @@ private:
 
   void allocate(std::vector<double>& memory) {
     const int window = std::max(4, level_.restriction->band_height());
-    const int height = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(last_ + 1, window))));
+    const auto power = [](int rows) { return static_cast<int>(std::bit_ceil(static_cast<unsigned>(rows))); };
+    const int height = power(std::max(last_ - begin_ + 1, window)), passed = power(last_ + 1);
     const int stride = (own_.end - own_.begin + 7) / 8 * 8 + 5 * margin, first = own_.begin - 2 * margin;
-    const auto numbers = static_cast<std::size_t>((steps_ + 3) * height * stride);
+    const auto numbers = static_cast<std::size_t>((passed + (steps_ + 2) * height) * stride);
     if (memory.size() < numbers + 8) memory.resize(numbers + 8);
     auto* next = reinterpret_cast<double*>((reinterpret_cast<std::uintptr_t>(memory.data()) + 63) / 64 * 64);
     std::fill_n(next, numbers, 0.);
-    for (Ring* ring : {&b_, &r_}) *ring = Ring(next, height, stride, first);
+    b_ = Ring(next, passed, stride, first);
+    r_ = Ring(next, height, stride, first);
     for (int k = 0; k <= steps_; ++k) x_[static_cast<std::size_t>(k)] = Ring(next, height, stride, first);
   }
 
@@ -149,61 +151,8 @@ private:
 
   /// Row j of the refined start.
   void refine(int j) {
-    const TensorSum& refinement = *job_.start.refinement;
-    const auto& term = refinement.terms().front();
-    std::array<const double*, 2 * margin> table{};
-    for (int q = 0; q < refinement.band_height(); ++q)
-      table[static_cast<std::size_t>(q)] =
-          job_.start.coarse + static_cast<std::ptrdiff_t>(refinement.first_row(j) + q) * refinement.input_columns();
-    double* row = x(0)[j];
     const double* given = job_.start.given ? job_.start.given + at(j) : nullptr;
-    if (!is_halved(term.x)) {
-      refinement.row(j, table.data(), all_, row + all_.begin);
-      if (given) add_row(given + all_.begin, row + all_.begin, size());
-      return;
-    }
-    const RowSum c = row_sum(term, j, table.data(), all_.begin / 2);
-    const ColumnRange inner = {std::clamp(term.x.begin, all_.begin, all_.end),
-                               std::clamp(term.x.end, all_.begin, all_.end)};
-    const int even = (term.x.begin + 1) / 2 * 2, coarse = even / 2;  // of the columns that repeat
-    const BetweenWeights weights = {term.x(even, coarse), term.x(even + 1, coarse), term.x(even + 1, coarse - 1)};
-    const bool adds = given && has_more_behind(j);
-    refine_row(weights, adds ? given + all_.begin : nullptr, c, -all_.begin / 2, term.x.columns - all_.begin / 2,
-               row + all_.begin, (size() + 1) / 2);
-    if (given && !adds) add_row(given + inner.begin, row + inner.begin, inner.end - inner.begin);
-    for (const ColumnRange ends : {ColumnRange{all_.begin, inner.begin}, ColumnRange{inner.end, all_.end}}) {
-      single_columns(term.x, c, all_.begin / 2, ends, row);
-      if (given) add_row(given + ends.begin, row + ends.begin, ends.end - ends.begin);
-    }
-  }
-
-  /// The y part of row j of a product, its input from a column on, without the rows of weight 0 at the ends.
-  static RowSum row_sum(const TensorSum::Term& term, int j, const double* const* table, int column) {
-    const auto w = term.y.row(j);
-    std::size_t first = 0, end = w.size();
-    while (end > 1 && w[end - 1] == 0) --end;
-    while (first + 1 < end && w[first] == 0) ++first;
-    RowSum sum;
-    for (std::size_t q = first; q < end; ++q) {
-      sum.weights[sum.count] = term.factor * w[q];
-      sum.rows[sum.count++] = table[q] + column;
-    }
-    return sum;
-  }
-
-  /// Columns of a product whose weights in x differ; the sum begins at column `from` of the input.
-  static void single_columns(const BandedRows& band, const RowSum& sum, int from, ColumnRange columns, double* out) {
-    for (int i = columns.begin; i < columns.end; ++i) {
-      const double* const w = band.weights.data() + static_cast<std::ptrdiff_t>(i) * band.width;
-      const int first = band.first[static_cast<std::size_t>(i)] - from;
-      double value = 0;
-      for (int q = 0; q < sum.count; ++q) {
-        double product = 0;
-        for (int p = 0; p < band.width; ++p) product += w[p] * sum.rows[q][first + p];
-        value += sum.weights[q] * product;
-      }
-      out[i] = value;
-    }
+    refine_columns({*job_.start.refinement, job_.start.coarse}, j, all_, {given, has_more_behind(j)}, x(0)[j]);
   }
 
   /// out = gain b - keep before + (from - gain λ E) c_j in the inner columns, from and gain in units of M^-1 if asked.
@@ -249,7 +198,7 @@ private:
 
   /// Row j of x_k.
   void step(int k, int j) const {
-    const auto [keep, gain] = s_.steps_[static_cast<std::size_t>(k - 1)];
+    const auto [keep, gain] = s_.steps_[static_cast<std::size_t>(k - 1) % s_.steps_.size()];
     const bool is_result = k == last_;  // of `ascend`
     const ColumnRange range = is_result ? own_ : all_;
     double* out = is_result ? job_.x + at(j) : x(k)[j];
@@ -273,7 +222,7 @@ private:
     for_ends(j, x(steps_), [r](int i, double value) { r[i] = value; });
     if (is_own(j)) {
       copy_row(x(steps_)[j] + own_.begin, job_.x + at(j) + own_.begin, own_.end - own_.begin);
-      if (job_.measure) s_.sums_[static_cast<std::size_t>(j * panels_ + panel_)] = product(j);
+      if (job_.measure) s_.sums_[static_cast<std::size_t>(j * panels_ + panel_)] = {product(j), work(j)};
     }
     restrict_rows(j);
   }
@@ -283,7 +232,7 @@ private:
     const double gain = s_.steps_.front().gain, inner_inverse = s_.weights_.row(j)[6];
     if (inner_inverse == 0) return 0;  // a row whose functions a condition takes away
     const double inside = 1 / (gain * inner_inverse);
-    const double *found = x(steps_)[j], *first = x(1)[j], *start = has_start_ ? x(0)[j] : nullptr;
+    const double *found = x(steps_)[j], *first = x(begin_ + 1)[j], *start = has_start_ ? x(begin_)[j] : nullptr;
     const double* inverse = s_.inverse_.row(j);
     const std::ptrdiff_t from = own_.begin;
     double sum = sum_of_changes(start ? start + from : nullptr, found + from, inside, first + from, r_[j] + from,
@@ -296,6 +245,11 @@ private:
     return sum;
   }
 
+  /// b·s of row j, where it is asked for.
+  double work(int j) const {
+    return job_.times == 1 ? 0 : product_of_rows(b(j) + own_.begin, x(begin_)[j] + own_.begin, own_.end - own_.begin);
+  }
+
   /// The coarse rows whose last fine row is j.
   void restrict_rows(int j) {
     const auto& restriction = *level_.restriction;
@@ -304,28 +258,17 @@ private:
       if (first + height - 1 > j) return;
       std::array<const double*, 2 * margin> table{};
       for (int q = 0; q < height; ++q) table[static_cast<std::size_t>(q)] = r_[first + q];
-      restrict_row(next_coarse_, table.data());
+      const auto row = static_cast<std::ptrdiff_t>(next_coarse_) * restriction.output_columns();
+      restrict_columns(restriction, next_coarse_, {table.data(), own_.begin}, coarse_, job_.coarse_right + row);
     }
-  }
-
-  void restrict_row(int k, const double* const* table) const {
-    const auto& restriction = *level_.restriction;
-    const auto& term = restriction.terms().front();
-    double* out = job_.coarse_right + static_cast<std::ptrdiff_t>(k) * restriction.output_columns();
-    const ColumnRange inner = {std::clamp(term.x.begin, coarse_.begin, coarse_.end),
-                               std::clamp(term.x.end, coarse_.begin, coarse_.end)};
-    if (term.x.shift != 2 || inner.begin >= inner.end) return restriction.row(k, table, coarse_, out + coarse_.begin);
-    const RowSum r = row_sum(term, k, table, own_.begin);
-    const double even = term.x(inner.begin, 2 * inner.begin), near = term.x(inner.begin, 2 * inner.begin - 1);
-    batten::restrict_row(even, near, r, out + coarse_.begin, inner.end - coarse_.begin);
-    single_columns(term.x, r, own_.begin, {coarse_.begin, inner.begin}, out);
-    single_columns(term.x, r, own_.begin, {inner.end, coarse_.end}, out);
   }
 
   const BilinearSmoother& s_;
   const Job& job_;
   const Hierarchy::Level& level_;
-  int rows_, n_, steps_, last_;  // stages 0 .. last_
+  int rows_, n_, steps_;
+  int begin_;  // the step whose result is the start of what is measured
+  int last_;   // stages 0 .. last_
   int panel_, panels_;
   bool has_start_;
   RowRange own_rows_, coarse_rows_;
@@ -371,7 +314,7 @@ void BilinearSmoother::set_weights() {
 }
 
 void BilinearSmoother::run(const Job& job, Rings& rings) const {
-  const int stages = static_cast<int>(steps_.size()) + 2, columns = panels(level_->energy.columns());
+  const int stages = job.times * static_cast<int>(steps_.size()) + 2, columns = panels(level_->energy.columns());
   const int most = level_->space.size() < shared_size ? 1 : level_->energy.rows() / (4 * stages);
   const int blocks = std::clamp(omp_get_max_threads(), 1, std::max(most, 1));
   if (rings.size() < static_cast<std::size_t>(blocks)) rings.resize(static_cast<std::size_t>(blocks));
@@ -381,15 +324,28 @@ void BilinearSmoother::run(const Job& job, Rings& rings) const {
       Block(*this, job, {k, blocks}, {panel, columns}, rings[static_cast<std::size_t>(k)]).run();
 }
 
+BilinearSmoother::Turn BilinearSmoother::sum() const {
+  Turn sum;
+  for (const auto& [product, work] : sums_) sum.product += product, sum.work += work;
+  return sum;
+}
+
 double BilinearSmoother::descend(const Start& start, std::span<const double> b, std::span<double> x,
                                  std::span<double> coarse_right, bool measure, Rings& rings) const {
   run({start, b.data(), x.data(), coarse_right.data(), measure}, rings);
-  return measure ? std::accumulate(sums_.begin(), sums_.end(), 0.) : 0;
+  return measure ? sum().product : 0;
 }
 
 void BilinearSmoother::ascend(std::span<const double> x, std::span<const double> coarse, std::span<const double> b,
                               std::span<double> out, Rings& rings) const {
-  run({{x.data(), coarse.data(), &*level_->refinement}, b.data(), out.data(), nullptr, false}, rings);
+  run({{x.data(), coarse.data(), &*level_->refinement}, b.data(), out.data(), nullptr}, rings);
+}
+
+BilinearSmoother::Turn BilinearSmoother::turn(std::span<const double> x, std::span<const double> coarse,
+                                              std::span<const double> b, std::span<double> out,
+                                              std::span<double> coarse_right, Rings& rings) const {
+  run({{x.data(), coarse.data(), &*level_->refinement}, b.data(), out.data(), coarse_right.data(), true, 2}, rings);
+  return sum();
 }
 
 }  // namespace batten

@@ -33,19 +33,29 @@ public:
   void ascend(std::span<const double> x, std::span<const double> coarse, std::span<const double> b,
               std::span<double> out, Rings& rings) const;
 
+  struct Turn {
+    double product = 0;  ///< what `descend` returns
+    double work = 0;     ///< b·s of its start s
+  };
+  /// `ascend` and, from its result, `descend` in one pass, which spares writing the result and reading it and b again.
+  /// out must not overlap x.
+  Turn turn(std::span<const double> x, std::span<const double> coarse, std::span<const double> b, std::span<double> out,
+            std::span<double> coarse_right, Rings& rings) const;
+
 private:
   struct Job;
   class Block;
   void run(const Job& job, Rings& rings) const;
+  Turn sum() const;
   void set_weights();
 
   const Hierarchy::Level* level_;
   double lambda_;
   std::vector<ChebyshevStep> steps_;
-  RepeatedRows inverse_;              // of M
-  std::vector<int> end_columns_;      // whose weights differ
-  RepeatedRows weights_;              // of rows of λ E: near and far ones and M^-1 inside, nine for each end column
-  mutable std::vector<double> sums_;  // of products, by row and panel
+  RepeatedRows inverse_;            // of M
+  std::vector<int> end_columns_;    // whose weights differ
+  RepeatedRows weights_;            // of rows of λ E: near and far ones and M^-1 inside, nine for each end column
+  mutable std::vector<Turn> sums_;  // by row and panel
 };
 
 }  // namespace batten

@@ -48,10 +48,10 @@ void move(double step, std::span<const double> p, std::span<const double> q, std
 
 bool is_zero(std::span<const double> c) {
   return sum_over(c.size(), [&](std::size_t from, std::size_t to) {
-           return std::all_of(c.begin() + static_cast<std::ptrdiff_t>(from),
-                              c.begin() + static_cast<std::ptrdiff_t>(to), [](double v) { return v == 0; })
-                      ? 0.
-                      : 1.;
+           double others = 0;
+#pragma omp simd reduction(+ : others)
+           for (std::size_t i = from; i < to; ++i) others += c[i] == 0 ? 0. : 1.;
+           return others;
          }) == 0;
 }
 
@@ -179,50 +179,46 @@ double predict(const Multigrid& system, std::span<const double> b, std::span<dou
 // more than `standstill` of a delicate energy's although the one before was not slow, what remains is rounding.
 constexpr double slow = 0.25, standstill = 0.5;
 
+/// What is to be said of V-cycles one after another, which need neither the vectors of conjugate gradients nor the time
+/// to move them.
 struct CyclesResult {
   IterationResult spent;
+  double scale = 0;
   bool is_slow = false;
 };
 
-/// V-cycles one after another, c += B (b - A c), each of which also measures the error that it finds. They need neither
-/// the vectors of conjugate gradients nor the time to move them. Stops where they converge slowly.
-CyclesResult repeat_cycles(const Multigrid& system, std::span<const double> b, std::span<double> c,
-                           const IterationLimits& limits, double scale) {
-  const auto& cycle = *system.streamed();
+/// Full multigrid or V-cycles from the start c, then further V-cycles until they have reached the accuracy or are slow.
+CyclesResult repeat_cycles(const Multigrid& system, StreamedCycle::Begin begin, std::span<const double> b,
+                           std::span<double> c, const IterationLimits& limits, double scale) {
   const bool is_delicate = system.hierarchy().finest().energy.is_delicate();
-  CyclesResult result;
+  CyclesResult result{{}, scale};
   auto& [iterations, accuracy] = result.spent;
   double before = 0, ratio = 0;
-  do {
-    const double error = cycle.improve_unless(limits.accuracy * scale, b, c);
-    const double last_ratio = std::exchange(ratio, before > 0 ? error / before : 0);
-    before = error;
+  system.streamed()->iterate(begin, b, c, [&](const StreamedCycle::Iterate& found) {
+    if (result.scale == 0) result.scale = found.size;
+    const double last_ratio = std::exchange(ratio, before > 0 ? found.error / before : 0);
+    before = found.error;
     ++iterations;
-    accuracy = scale > 0 ? error / scale : 0;
+    accuracy = result.scale > 0 ? found.error / result.scale : 0;
     result.is_slow = ratio > slow && !(is_delicate && ratio > standstill && last_ratio < slow);
-  } while (accuracy > limits.accuracy && ratio <= slow && iterations < limits.most_iterations);
+    return accuracy > limits.accuracy && ratio <= slow && iterations < limits.most_iterations;
+  });
   return result;
 }
 
 /// Full multigrid, then V-cycles, then conjugate gradients where those are too slow.
 IterationResult solve_streamed(const Multigrid& system, std::span<const double> b, std::span<double> c,
                                IterationLimits limits, double scale) {
-  const auto& cycle = *system.streamed();
-  double before = 0;
-  if (is_zero(c)) {
-    cycle.solve_by_levels(b, c);
-    before = cycle.work_by_levels();
-    if (scale == 0) scale = std::sqrt(std::max(0., dot(b, c)));
-  } else if (scale == 0) {
-    scale = energy_size(system, b);
-  }
-  auto [result, is_slow] = repeat_cycles(system, b, c, limits, scale);
+  const bool by_levels = is_zero(c);
+  if (!by_levels && scale == 0) scale = energy_size(system, b);
+  auto [result, size, is_slow] = repeat_cycles(
+      system, by_levels ? StreamedCycle::Begin::ByLevels : StreamedCycle::Begin::AtStart, b, c, limits, scale);
   if (is_slow && result.accuracy > limits.accuracy && result.iterations < limits.most_iterations) {
     limits.most_iterations -= result.iterations;
-    const auto more = iterate(LevelSystem{system, 0}, b, c, limits, scale);
+    const auto more = iterate(LevelSystem{system, 0}, b, c, limits, size);
     result = {result.iterations + more.iterations, more.accuracy};
   }
-  result.iterations += static_cast<int>(std::ceil(before));
+  if (by_levels) result.iterations += static_cast<int>(std::ceil(system.streamed()->work_by_levels()));
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <batten/fem/sparse_cholesky.h>
 #include <batten/fem/streamed_smoother.h>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <variant>
@@ -25,9 +26,16 @@ public:
                std::span<double> out) const {
     improve(Kind::Symmetric, level, start, b, out);
   }
-  /// The same for the finest level and the start c. Returns sqrt(r·Br), r = b - A c: the start's error in the energy
-  /// norm, as B sees it. Where that is at most `enough`, the second half of the cycle is saved and c left as it is.
-  double improve_unless(double enough, std::span<const double> b, std::span<double> c) const;
+  /// What is known of an approximate solution s, in the energy norm.
+  struct Iterate {
+    double error = 0;  ///< sqrt(r·Br), r = b - A s: its error, as B sees it
+    double size = 0;   ///< sqrt(b·s): its own where it is near the solution; 0 for a start that is given
+  };
+  enum class Begin { AtStart, ByLevels };
+  /// V-cycles on the finest level, one after another, from the start c or from what solve_by_levels finds. Calls
+  /// `goes_on` with each iterate and stops where that says no; c receives this iterate or one with less of the error.
+  void iterate(Begin begin, std::span<const double> b, std::span<double> c,
+               const std::function<bool(const Iterate&)>& goes_on) const;
 
   /// Full multigrid from nothing, one V-cycle on each level: the error that is left is smaller than that of the
   /// discretisation. For degree 1 these cycles have one step before and all after, which leaves as little of the error
@@ -48,8 +56,13 @@ private:
   enum class Kind { Symmetric, ByLevels };
   static AnySmoother smoother_of(const Hierarchy::Level& level, int steps, double lambda);
   double correct(Kind kind, std::size_t level, const StreamedSmoother::Start& start, std::span<const double> b,
-                 bool measure) const;
-  void ascend(std::size_t level, std::span<const double> b, std::span<double> out) const;
+                 std::span<double> middle, bool measure) const;
+  double correct_coarse(Kind kind, std::size_t level, bool measure) const;
+  void ascend(std::size_t level, std::span<const double> middle, std::span<const double> b,
+              std::span<double> out) const;
+  void descend_by_levels(std::span<const double> b, std::span<double> middle) const;
+  StreamedSmoother::Start start_by_levels(std::size_t level) const;
+  Iterate turn(std::span<const double> b, std::span<double>& middle, std::span<double>& other) const;
   void improve(Kind kind, std::size_t level, const StreamedSmoother::Start& start, std::span<const double> b,
                std::span<double> out) const;
 

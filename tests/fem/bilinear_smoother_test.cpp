@@ -95,6 +95,43 @@ TEST(BilinearSmoother, does_what_the_smoother_of_any_degree_does) {
   compare(5, 4603, 24, 0);  // several panels
 }
 
+/// `turn` from (given, coarse) and, after it, `ascend` and `descend`, whose results are expected.
+struct Turned {
+  Left found, expected;
+  double work = 0, expected_work = 0;
+};
+Turned turned(const Hierarchy& h, int steps) {
+  const auto& level = h[0];
+  const BilinearSmoother smoother(level, steps, lambda);
+  const Vector b = vector(level.space, 1), given = vector(level.space, 2), coarse = vector(h[1].space, 3);
+  StreamedSmoother::Rings rings;
+  Turned all{{Vector(b.size()), Vector(coarse.size())}, {Vector(b.size()), Vector(coarse.size())}};
+  const auto turn = smoother.turn(given, coarse, b, all.found.x, all.found.coarse_right, rings);
+  all.found.product = turn.product;
+  all.work = turn.work;
+  Vector between(b.size());
+  smoother.ascend(given, coarse, b, between, rings);
+  all.expected_work = test::dot(b, between);
+  all.expected.product =
+      smoother.descend({.given = between.data()}, b, all.expected.x, all.expected.coarse_right, true, rings);
+  return all;
+}
+
+TEST(BilinearSmoother, turns_as_it_ascends_and_descends) {
+  const auto compare = [](int pair, int nx, int ny, double mass) {
+    for (const int steps : {1, 2, 3}) {
+      SCOPED_TRACE(testing::Message() << pair << ' ' << nx << ' ' << ny << ' ' << steps);
+      const Turned t = turned(hierarchy(pair, nx, ny, mass), steps);
+      expect_near(t.found, t.expected);
+      EXPECT_NEAR(t.work, t.expected_work, 1e-12 * (std::abs(t.expected_work) + 1));
+    }
+  };
+  for (int pair = 0; pair < 16; ++pair)
+    for (const auto& [nx, ny] : {std::pair{64, 48}, {61, 35}, {17, 200}}) compare(pair, nx, ny, pair % 2 * 2.);
+  compare(5, 4603, 24, 0);   // two panels
+  compare(10, 9001, 24, 1);  // three
+}
+
 TEST(BilinearSmoother, leaves_the_same_bits_for_every_thread_count) {
   const Hierarchy h = hierarchy(9, 2101, 97, 1);
   const int threads = omp_get_max_threads();
@@ -102,6 +139,7 @@ TEST(BilinearSmoother, leaves_the_same_bits_for_every_thread_count) {
   for (const int count : {1, 2, 3}) {
     omp_set_num_threads(count);
     found.push_back(passes<BilinearSmoother>(h, 2));
+    found.back().push_back(turned(h, 2).found);
   }
   omp_set_num_threads(threads);
   for (const auto& all : found)
