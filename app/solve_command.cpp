@@ -20,14 +20,11 @@ namespace {
 
 void write_rest(SolveWork& work) {
   const BoundaryResult& result = *work.account.result;
-  GridSamples grid = result.solution.samples();
-  if (work.file.problem.is_plate()) {
-    work.progress.show("moments and forces");
-    const auto& plate = std::get<KirchhoffPlate>(work.file.problem.material);
-    for (PointArray& array : force_samples(result.solution, plate)) grid.arrays.push_back(std::move(array));
-    const auto& sides = work.file.problem.sides;
-    if (!sides.left.periodic && !sides.bottom.periodic) work.account.corners = corner_forces(result.solution, plate);
-  }
+  const auto& problem = work.file.problem;
+  work.progress.show(problem.is_plate() ? "moments and forces" : "samples");
+  const GridSamples grid = samples_of(result.solution, problem);
+  if (problem.is_plate() && !problem.sides.left.periodic && !problem.sides.bottom.periodic)
+    work.account.corners = corner_forces(result.solution, std::get<KirchhoffPlate>(problem.material));
   for (const PointArray& array : grid.arrays)
     if (array.components == 1) work.account.extremes.push_back(extremes_of(grid, array));
   const SolveArguments& arguments = work.arguments;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/output_names.h>
 #include <batten/app/solve_outputs.h>
+#include <batten/fem/plate_forces.h>
 #include <batten/io/image_file.h>
 #include <batten/io/output_file.h>
 #include <batten/io/picture.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace batten {
 namespace {
@@ -55,6 +57,14 @@ void check_series_outputs(const SolveArguments& arguments, const ProblemFile& fi
     check_output(with_suffix(arguments.output, mode_suffix(k, count)));
     if (!arguments.picture.empty()) check_output(with_suffix(arguments.picture, mode_suffix(k, count)));
   }
+}
+
+GridSamples samples_of(const Solution& solution, const BoundaryProblem& problem) {
+  GridSamples grid = solution.samples();
+  if (problem.is_plate())
+    for (PointArray& array : force_samples(solution, std::get<KirchhoffPlate>(problem.material)))
+      grid.arrays.push_back(std::move(array));
+  return grid;
 }
 
 Extremes extremes_of(const GridSamples& grid, const PointArray& array) {

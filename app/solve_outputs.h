@@ -25,6 +25,9 @@ void check_solve_outputs(const SolveArguments& arguments);
 /// Throws IoError if a series of modes or states cannot be written beside the name asked for.
 void check_series_outputs(const SolveArguments& arguments, const ProblemFile& file);
 
+/// At the corners of the cells; of plates also moments, shear forces and edge reactions (plate_forces.h).
+GridSamples samples_of(const Solution& solution, const BoundaryProblem& problem);
+
 /// Of the values that are numbers.
 Extremes extremes_of(const GridSamples& grid, const PointArray& array);
 

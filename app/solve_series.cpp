@@ -28,7 +28,7 @@ void solve_modes(SolveWork& work) {
     const int k = static_cast<int>(series.size()) + 1;
     const std::string path = with_suffix(arguments.output, mode_suffix(k, count));
     work.progress.show("write " + path);
-    const GridSamples grid = mode.shape.samples();
+    const GridSamples grid = samples_of(mode.shape, work.file.problem);
     write_solution({path, &mode.shape, &work.file, {{"mode", k}, {"eigenvalue", mode.eigenvalue}}}, grid);
     series.push_back({static_cast<double>(k), file_name(path)});
     work.account.files.push_back(path);
@@ -53,7 +53,7 @@ void solve_motion(SolveWork& work) {
   GridSamples last;
   const auto write_frame = [&](double time, const Solution& state) {
     const std::string path = with_suffix(arguments.output, frame_suffix(static_cast<int>(series.size()), count));
-    last = state.samples();
+    last = samples_of(state, work.file.problem);
     write_solution({path, &state, &work.file, {{"time", time}}}, last);
     series.push_back({time, file_name(path)});
     work.account.files.push_back(path);

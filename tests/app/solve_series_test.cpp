@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/problem_templates.h>
+#include <batten/app/solve_outputs.h>
+#include <batten/fem/vibration.h>
 #include <batten/tests/app/command_run.h>
 #include <batten/tests/app/solve_problems.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace batten::test {
@@ -40,6 +43,26 @@ TEST_F(SolveSeries, writes_modes_with_pictures_and_a_collection) {
   EXPECT_NEAR(report["modes"][0]["eigenvalue"], 2 * pi * pi, 1e-3);
   EXPECT_NEAR(report["modes"][0]["frequency"], std::sqrt(2.) / 2, 1e-4);
   EXPECT_NEAR(report["modes"][1]["angular_frequency"], std::sqrt(5.) * pi, 1e-3);
+}
+
+// w = 2 sin πx sin πy on the simply supported unit square with D = 1, ν = 0.3 and density 1: Mx = 1.3 π² w, and Vn on
+// the middle of the left side -(w_xxx + 1.7 w_xyy) = 2.7 π³ 2 but for its sign.
+TEST(SolveOutputs, sample_the_moments_of_modes_too) {
+  const Side side = Side::simply_supported();
+  BoundaryProblem problem{
+      KirchhoffPlate{}, {Interval(0, 1, 32), Interval(0, 1, 32)}, 3, {side, side, side, side}, {}, {}};
+  const Mode mode = vibration_modes(problem, 1, Field(1.)).front();
+  const GridSamples grid = samples_of(mode.shape, problem);
+  const auto values = [&](const std::string& name) {
+    const auto array =
+        std::find_if(grid.arrays.begin(), grid.arrays.end(), [&](const auto& a) { return a.name == name; });
+    return array == grid.arrays.end() ? std::vector<double>(33 * 33) : array->values;
+  };
+  constexpr std::size_t centre = 16 * 33 + 16;
+  const double pi = std::acos(-1.);
+  EXPECT_NEAR(std::abs(values("value")[centre]), 2, 1e-5);
+  EXPECT_NEAR(values("Mx")[centre] / values("value")[centre], 1.3 * pi * pi, 0.02);
+  EXPECT_NEAR(std::abs(values("Vn")[16 * 33]), 2 * 2.7 * std::pow(pi, 3), 1);
 }
 
 TEST_F(SolveSeries, writes_motion_as_a_collection) {
