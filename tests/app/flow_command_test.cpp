@@ -259,6 +259,10 @@ TEST_F(FlowCommand, refuses_what_does_not_fit_together) {
   expect_failure(out + "--cells 1 8", 2, "--cells: at least 2 x 2 are needed");
   expect_failure(out + "--smoothing much", 2, "--smoothing: 'much' is neither auto nor none");
   expect_failure(in + "-o f.csv", 2, "-o: the name must end with .vti or .vtu, found 'f.csv'");
+  expect_failure(out + "--streamlines 5 --streamlines-out f.vtu", 2,
+                 "--streamlines-out: the name must end with .vtp, found 'f.vtu'");
+  expect_failure(out + "--picture f.jpg", 2, "--picture: the name must end with .png, found 'f.jpg'");
+  expect_failure(out + "--report f.txt", 2, "--report: the name must end with .json, found 'f.txt'");
   expect_failure(in + "-o f.vti --report in.csv", 2, "in.csv: is an input");
   for (const char* const unknown : {"--shores closed", "--aspect 2"})
     expect_failure(out + unknown, 2, words(unknown)[0]);
