@@ -7,8 +7,6 @@
 #include <batten/flows/streamline_points.h>
 #include <batten/io/table.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace batten {

@@ -15,6 +15,7 @@
 #include <batten/domains/number_text.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 
