@@ -80,8 +80,12 @@ Result flow_result(const Record& record, bool derivatives) {
   return result;
 }
 
-Result result_of(const Record& record, bool derivatives) {
-  return record.kind == "flow" ? flow_result(record, derivatives) : surface_result(record, derivatives);
+Result result_of(const EvaluateArguments& arguments) {
+  const Record record = read_record(arguments.result);
+  if (record.kind == "flow") return flow_result(record, arguments.derivatives);
+  if (record.kind == "surface") return surface_result(record, arguments.derivatives);
+  throw InvalidInput(arguments.result + ": is a " + record.kind +
+                     ", values at points alone; expected a result of fit, flow or solve, which holds a spline");
 }
 
 void check_outputs(const EvaluateArguments& arguments) {
@@ -133,7 +137,7 @@ void run_evaluate(const EvaluateArguments& arguments) {
   set_thread_count(arguments.run.threads);
   Progress progress("batten evaluate", arguments.run.quiet);
   progress.show("read");
-  const auto [region, quantities] = result_of(read_record(arguments.result), arguments.derivatives);
+  const auto [region, quantities] = result_of(arguments);
   const Table points = read_points(arguments);
 
   progress.show("evaluate");
@@ -154,7 +158,7 @@ void run_evaluate(const EvaluateArguments& arguments) {
 Subcommand add_evaluate_command(CLI::App& app) {
   CLI::App* const parser = app.add_subcommand("evaluate", "A result at any points");
   const auto a = std::make_shared<EvaluateArguments>();
-  parser->add_option("RESULT", a->result, "what batten wrote, OUT.vti")->required()->option_text(" ");
+  parser->add_option("RESULT", a->result, "what batten wrote, OUT.vti or OUT.vtu")->required()->option_text(" ");
   parser->add_option("--at", a->at, "table of the points, with a header; - reads standard input")
       ->required()
       ->option_text("POINTS");

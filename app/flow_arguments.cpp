@@ -62,7 +62,7 @@ void add_output(CLI::App& parser, FlowArguments& a) {
       .add_option("-o,--output", a.output,
                   "velocity, divergence, vorticity, speed, stream_function, potential and coefficients")
       ->required()
-      ->option_text("OUT.vti")
+      ->option_text("OUT.vti|OUT.vtu")
       ->group(group);
   auto* const count = parser.add_option("--streamlines", a.streamlines, "trace N streamlines, evenly spaced")
                           ->option_text("N")
@@ -81,8 +81,13 @@ void add_output(CLI::App& parser, FlowArguments& a) {
   parser.add_option("--streamlines-out", a.streamlines_out, "the streamlines with speed, time, length and vorticity")
       ->option_text("OUT.vtp")
       ->group(group);
-  parser.add_option("--picture", a.picture, "speed in colour under streamlines, or arrows")
-      ->option_text("OUT.png")
+  auto* const picture = parser.add_option("--picture", a.picture, "speed in colour under streamlines, or arrows")
+                            ->option_text("OUT.png")
+                            ->group(group);
+  parser.add_option("--pixels", a.pixels, "size of the picture, default 1200 900")
+      ->option_text("W H")
+      ->check(CLI::Range(200, 16000))
+      ->needs(picture)
       ->group(group);
   parser.add_option("--report", a.report, "numbers about the fit")->option_text("OUT.json")->group(group);
   add_run_options(parser, a.run, true);

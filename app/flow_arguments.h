@@ -7,6 +7,7 @@
 #include <batten/app/smoothing_arguments.h>
 #include <batten/flows/flow_fit.h>
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -31,6 +32,7 @@ struct FlowArguments {
   std::optional<int> streamlines;
   std::string seeds, parameter;
   std::string output, streamlines_out, picture, report;
+  std::optional<std::array<int, 2>> pixels;  ///< width and height of the picture
   RunArguments run;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/flow_arrows.h>
 #include <batten/app/flow_outputs.h>
-#include <batten/app/flow_streamlines.h>
+#include <batten/app/flow_picture.h>
 #include <batten/app/output_names.h>
+#include <batten/app/sample_file.h>
 #include <batten/io/curve_file.h>
-#include <batten/io/image_file.h>
-#include <batten/io/picture.h>
 
 namespace batten {
 namespace {
@@ -34,22 +34,23 @@ Record record_of(const FlowOutputs& outputs) {
   return record;
 }
 
-}  // namespace
-
-void draw_flow_picture(const FlowPicture& picture, const GridSamples& samples) {
-  PictureOptions options;
-  options.view = PictureOptions::View::Map;
-  options.array = "speed";
-  options.x_name = picture.names[0];
-  options.y_name = picture.names[1];
-  options.value_name = "speed";
-  options.y_scale = picture.field->geometry().aspect(picture.field->region());
-  options.contours = false;
-  const bool has_lines = !picture.streamlines.empty();
-  options.curves = has_lines ? picture.streamlines : arrows_of(*picture.field);
-  options.heads = has_lines ? PictureOptions::Heads::Along : PictureOptions::Heads::End;
-  write_picture(picture.path, samples, {}, options);
+void draw(const FlowOutputs& outputs, const GridSamples& samples) {
+  const FlowField& field = outputs.result->field;
+  const auto& names = outputs.input->names;
+  FlowPicture picture{.path = outputs.arguments->picture,
+                      .names = {names[0], names[1]},
+                      .y_scale = field.geometry().aspect(field.region()),
+                      .pixels = outputs.arguments->pixels};
+  if (outputs.streamlines.empty()) {
+    picture.curves = arrows_of(field);
+  } else {
+    picture.curves = outputs.streamlines;
+    picture.heads = PictureOptions::Heads::Along;
+  }
+  draw_flow_picture(picture, samples);
 }
+
+}  // namespace
 
 std::vector<std::string> output_files(const FlowArguments& arguments) {
   std::vector<std::string> files;
@@ -64,7 +65,7 @@ void check_outputs(const FlowArguments& arguments) {
     check_not_input(file, arguments.vectors);
     if (!arguments.seeds.empty()) check_not_input(file, arguments.seeds);
   }
-  check_output_name("-o", arguments.output, {".vti"});
+  check_output_name("-o", arguments.output, {".vti", ".vtu"});
   check_output_name("--streamlines-out", arguments.streamlines_out, {".vtp"});
   check_output_name("--picture", arguments.picture, {".png"});
   check_output_name("--report", arguments.report, {".json"});
@@ -74,12 +75,11 @@ void write_outputs(const FlowOutputs& outputs, Progress& progress) {
   const FlowArguments& arguments = *outputs.arguments;
   const GridSamples grid = outputs.result->field.samples();
   progress.show("write " + arguments.output);
-  write_image(arguments.output, grid, record_of(outputs));
+  write_samples(arguments.output, grid, record_of(outputs));
   if (!arguments.streamlines_out.empty()) write_curves(arguments.streamlines_out, outputs.streamlines);
   if (arguments.picture.empty()) return;
   progress.show("draw " + arguments.picture);
-  const auto& names = outputs.input->names;
-  draw_flow_picture({arguments.picture, &outputs.result->field, {names[0], names[1]}, outputs.streamlines}, grid);
+  draw(outputs, grid);
 }
 
 }  // namespace batten

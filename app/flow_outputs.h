@@ -7,7 +7,6 @@
 #include <batten/domains/curve_samples.h>
 #include <batten/flows/flow_fit.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -19,15 +18,6 @@ std::vector<std::string> output_files(const FlowArguments& arguments);
 /// Throws UsageError for unknown extensions and for a file that is an input, IoError for files that cannot be written:
 /// before the work is done.
 void check_outputs(const FlowArguments& arguments);
-
-/// A map of the speed under streamlines or, where there are none, under arrows.
-struct FlowPicture {
-  std::string path;
-  const FlowField* field;
-  std::array<std::string, 2> names = {"x", "y"};  ///< at the axes
-  std::vector<CurveSamples> streamlines;
-};
-void draw_flow_picture(const FlowPicture& picture, const GridSamples& samples);
 
 /// What there is to write, once the work is done.
 struct FlowOutputs {

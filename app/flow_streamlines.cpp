@@ -7,8 +7,6 @@
 #include <batten/flows/streamline_points.h>
 #include <batten/io/table.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace batten {
@@ -47,36 +45,6 @@ std::vector<CurveSamples> streamlines_of(const FlowArguments& arguments, const F
   std::vector<CurveSamples> curves;
   for (const Streamline& line : lines) curves.push_back(samples_of(field, line));
   return curves;
-}
-
-std::vector<CurveSamples> arrows_of(const FlowField& field) {
-  constexpr int along_longer_side = 26;
-  constexpr double longest = 0.95, shortest = 0.04;  // of their distance, and of the longest
-  const auto &ix = field.region().x, &iy = field.region().y;
-  // Lengths in units of x at the middle, as the picture has them.
-  const FlowGeometry& geometry = field.geometry();
-  const double aspect = geometry.aspect(field.region()), unit = geometry.length_y() / aspect;
-  const double apart = std::max(ix.length(), aspect * iy.length()) / along_longer_side;
-  const int nx = std::max(1, static_cast<int>(ix.length() / apart));
-  const int ny = std::max(1, static_cast<int>(aspect * iy.length() / apart));
-  std::vector<CurveSamples> arrows;
-  double fastest = 0;
-  for (int k = 0; k < nx * ny; ++k) {
-    const double x = ix.lower() + ix.length() * (k % nx + 0.5) / nx, y = iy.lower() + iy.length() * (k / nx + 0.5) / ny;
-    const auto [u, v] = field.velocity(x, y);
-    const double to_x = u * unit / geometry.length_x(y), to_y = v / aspect;
-    fastest = std::max(fastest, std::hypot(to_x, aspect * to_y));
-    arrows.push_back({.x = {x, to_x}, .y = {y, to_y}});
-  }
-  const double scale = fastest > 0 ? longest * apart / fastest : 0;
-  std::erase_if(arrows,
-                [&](const CurveSamples& a) { return !(std::hypot(a.x[1], aspect * a.y[1]) > shortest * fastest); });
-  for (CurveSamples& a : arrows) {
-    const double dx = scale * a.x[1], dy = scale * a.y[1];
-    a.x = {a.x[0] - dx / 2, a.x[0] + dx / 2};
-    a.y = {a.y[0] - dy / 2, a.y[0] + dy / 2};
-  }
-  return arrows;
 }
 
 }  // namespace batten

@@ -25,7 +25,4 @@ FlowSeeds read_seeds(const FlowArguments& arguments, const Rectangle& region);
 std::vector<CurveSamples> streamlines_of(const FlowArguments& arguments, const FlowSeeds& seeds,
                                          const FlowField& field);
 
-/// Arrows on an even grid, as long as the velocity is large; the longest nearly meet.
-std::vector<CurveSamples> arrows_of(const FlowField& field);
-
 }  // namespace batten

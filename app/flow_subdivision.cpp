@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/flow_arrows.h>
+#include <batten/app/flow_picture.h>
+#include <batten/app/flow_samples.h>
 #include <batten/app/flow_subdivision.h>
 #include <batten/app/flow_table.h>
+#include <batten/app/grid_output.h>
 #include <batten/app/output_names.h>
 #include <batten/app/progress.h>
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/usage_error.h>
+#include <batten/bases/flow_limit.h>
 #include <batten/bases/optimal_flow_masks.h>
 #include <batten/bases/subdivide_flow.h>
 #include <batten/domains/number_text.h>
-#include <batten/io/image_file.h>
-#include <batten/io/picture.h>
-#include <batten/io/table.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iostream>
 
 namespace batten {
@@ -22,12 +26,13 @@ constexpr int default_size = 9;   // recommended by the source
 constexpr int largest_size = 17;  // larger ones gain nothing that shows
 
 void refuse_others(const SubdivideArguments& a) {
-  if (a.interpolate || a.limit || a.closed || a.smoothing || a.tolerance || !a.columns.empty() || a.show != "result" ||
+  if (a.interpolate || a.closed || a.smoothing || a.tolerance || !a.columns.empty() || a.show != "result" ||
       a.parameter != "uniform")
     throw UsageError("the input is a flow, for which there are no options of curves");
   if (a.tension || a.rules != "exact") throw UsageError("--tension and --rules are for bounded schemes");
   if (a.boundary == "reflect" || a.boundary == "periodic")
     throw UsageError("--boundary of a flow is extend, open or zero, found " + a.boundary);
+  if (a.view == "surface") throw UsageError("--view of a flow is map, found surface");
   check_options(a.scheme, {}, {"--size"});
   const int size = a.scheme.size.value_or(default_size);
   if (size < 3 || size > largest_size || size % 2 == 0)
@@ -35,10 +40,28 @@ void refuse_others(const SubdivideArguments& a) {
                      std::to_string(size));
 }
 
+/// The limit is that of the exact scheme, which has no choices, and of a field that is at rest outside.
+void check_limit(const SubdivideArguments& a) {
+  if (!a.limit) {
+    if (a.samples == "rotors") throw UsageError("--samples rotors is for --limit: on walls rotors are no flow yet");
+    return;
+  }
+  if (!a.kind.empty() || a.scheme.size)
+    throw UsageError("--limit is that of the exact scheme: no --kind and no --size");
+  if (!a.boundary.empty() && a.boundary != "zero")
+    throw UsageError("--limit is that of a flow at rest outside, --boundary zero; found " + a.boundary);
+}
+
 FieldSides sides_of(const std::string& boundary) {
   if (boundary == "open") return FieldSides::Open;
   return boundary == "zero" ? FieldSides::Zero : FieldSides::Nearest;
 }
+
+FlowSamples samples_in(const SubdivideArguments& a) {
+  return a.samples == "walls" ? FlowSamples::Walls : FlowSamples::Vertices;
+}
+
+Flow flow_of(const SubdivideArguments& a) { return a.scheme.name == "slow-flow" ? Flow::Slow : Flow::Perfect; }
 
 /// The subdivided field with one fine cell more on each side than is shown: vertices need the walls around them.
 StaggeredField with_margin(const SubdivideArguments& a, const FlowMasks<double>& masks, const StaggeredField& coarse) {
@@ -48,60 +71,59 @@ StaggeredField with_margin(const SubdivideArguments& a, const FlowMasks<double>&
   return cropped(fine, (1 << a.levels) - 1);
 }
 
-/// At the vertices of nx x ny cells the mean of the cells around.
-Eigen::MatrixXd vertex_means(const Eigen::MatrixXd& cells) {
-  const Eigen::Index nx = cells.rows(), ny = cells.cols();
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(nx + 1, ny + 1), counts = sums;
-  for (Eigen::Index b : {0, 1})
-    for (Eigen::Index a : {0, 1}) {
-      sums.block(a, b, nx, ny) += cells;
-      counts.block(a, b, nx, ny).array() += 1;
-    }
-  return sums.cwiseQuotient(counts);
-}
-
-PointArray array_of(const std::string& name, const Eigen::MatrixXd& values) {
-  return {name, 1, {values.data(), values.data() + values.size()}};
-}
-
-/// velocity, divergence, rotation and speed at the vertices of all but the outermost cells.
-GridSamples samples_of(const StaggeredField& field) {
-  const ControlGrid vertices = vertex_averages(field);
-  const Eigen::MatrixXd &u = vertices.components[0], &v = vertices.components[1];
-  GridSamples samples{.points = {static_cast<int>(u.rows()), static_cast<int>(u.cols())},
-                      .origin = vertices.start,
-                      .spacing = vertices.spacing};
-  PointArray velocity{"velocity", 3, {}};
-  for (Eigen::Index k = 0; k < u.size(); ++k)
-    for (double component : {u.data()[k], v.data()[k], 0.}) velocity.values.push_back(component);
-  const Eigen::MatrixXd speed = (u.array().square() + v.array().square()).sqrt();
-  samples.arrays = {std::move(velocity),
-                    array_of("divergence", vertex_means(divergence(cropped(field, 1)).components[0])),
-                    array_of("rotation", rotation(field).components[0]), array_of("speed", speed)};
-  return samples;
-}
-
-void write_outputs(const SubdivideArguments& a, const std::string& what, const GridSamples& samples) {
-  if (is_table(a.output)) {
-    write_table(a.output, samples);
-  } else {
-    const auto [x, y] = samples.origin;
-    Record record{.kind = "subdivided flow",
-                  .region = {x, x + samples.spacing[0] * (samples.points[0] - 1), y,
-                             y + samples.spacing[1] * (samples.points[1] - 1)}};
-    record.texts = {{"scheme", what}, {"program", "batten " BATTEN_VERSION}};
-    record.numbers = {{"levels", static_cast<double>(a.levels)}};
-    write_image(a.output, samples, record);
-  }
-  if (a.picture.empty()) return;
-  PictureOptions options;
-  options.view = a.view == "map" ? PictureOptions::View::Map : PictureOptions::View::Surface;
-  options.array = options.value_name = "speed";
-  options.title = what + ", " + std::to_string(a.levels) + " levels";
-  write_picture(a.picture, samples, {}, options);
-}
-
 double largest(const ControlGrid& grid) { return grid.components[0].cwiseAbs().maxCoeff(); }
+
+/// What is written, and how the line that is printed goes on behind the speed.
+struct RefinedFlow {
+  std::string what;
+  std::array<Eigen::Index, 2> cells;  ///< of the input
+  GridSamples samples;
+  std::string account;
+};
+
+RefinedFlow refined(const SubdivideArguments& a, Progress& progress) {
+  progress.show("make the masks");
+  const FlowKind kind = a.kind == "book" ? FlowKind::Book : FlowKind::Commuting;
+  const int size = a.scheme.size.value_or(default_size);
+  const auto masks = to_double(optimal_flow_masks(flow_of(a), kind, size).masks);
+  progress.show("read");
+  const StaggeredField coarse = read_flow(a.input, samples_in(a));
+  progress.show("subdivide");
+  const StaggeredField fine = with_margin(a, masks, coarse);
+  return {a.scheme.name + (kind == FlowKind::Book ? ", book" : ", commuting") + ", size " + std::to_string(size),
+          {coarse.cells_x(), coarse.cells_y()},
+          samples_of(fine),
+          ", divergence up to " + number_text(largest(divergence(cropped(fine, 1))), 3) + " (given " +
+              number_text(largest(divergence(coarse)), 3) + "), rotation up to " +
+              number_text(largest(rotation(fine)), 3)};
+}
+
+RefinedFlow limit_of(const SubdivideArguments& a, Progress& progress) {
+  const FlowBasis basis(flow_of(a));
+  progress.show("read");
+  const auto evaluated = [&](std::array<Eigen::Index, 2> cells, const ControlGrid& limit) {
+    return RefinedFlow{a.scheme.name + ", limit", cells, samples_of_velocity(limit), ""};
+  };
+  if (a.samples == "rotors") {
+    const ControlGrid rotors = read_rotors(a.input);
+    progress.show("evaluate");
+    return evaluated({rotors.components[0].rows() - 1, rotors.components[0].cols() - 1},
+                     flow_of_rotors(basis, rotors, a.levels));
+  }
+  const StaggeredField coarse = read_flow(a.input, samples_in(a));
+  progress.show("evaluate");
+  return evaluated({coarse.cells_x(), coarse.cells_y()}, flow_limit(basis, coarse, a.levels));
+}
+
+/// Of those that are finite.
+double largest_speed(const GridSamples& samples) {
+  double found = 0;
+  for (const PointArray& array : samples.arrays)
+    if (array.name == "speed")
+      for (double speed : array.values)
+        if (std::isfinite(speed)) found = std::max(found, speed);
+  return found;
+}
 
 }  // namespace
 
@@ -113,37 +135,31 @@ void refuse_flow_options(const SubdivideArguments& a) {
   };
   if (!a.kind.empty()) refuse("--kind");
   if (!a.samples.empty()) refuse("--samples");
+  if (a.pixels) refuse("--pixels");
   if (a.boundary == "extend") refuse("--boundary extend");
 }
 
 void subdivide_flow(const SubdivideArguments& a) {
   refuse_others(a);
-  check_output_name("-o", a.output, {".vti", ".csv"});
+  check_limit(a);
+  check_output_name("-o", a.output, {".vti", ".vtu", ".csv"});
   check_output_name("--picture", a.picture, {".png"});
   Progress progress("batten subdivide", a.quiet);
-  progress.show("make the masks");
-  const Flow flow = a.scheme.name == "slow-flow" ? Flow::Slow : Flow::Perfect;
-  const FlowKind kind = a.kind == "book" ? FlowKind::Book : FlowKind::Commuting;
-  const int size = a.scheme.size.value_or(default_size);
-  const auto masks = to_double(optimal_flow_masks(flow, kind, size).masks);
-  progress.show("read");
-  const StaggeredField coarse = read_flow(a.input, a.samples == "walls" ? FlowSamples::Walls : FlowSamples::Vertices);
-  progress.show("subdivide");
-  const StaggeredField fine = with_margin(a, masks, coarse);
+  const auto [what, cells, samples, account] = a.limit ? limit_of(a, progress) : refined(a, progress);
   progress.show("write " + a.output);
-  const GridSamples samples = samples_of(fine);
-  const std::string what =
-      a.scheme.name + (kind == FlowKind::Book ? ", book" : ", commuting") + ", size " + std::to_string(size);
-  write_outputs(a, what, samples);
+  write_subdivided(a, "subdivided flow", what, samples);
+  if (!a.picture.empty())
+    draw_flow_picture(
+        {.path = a.picture,
+         .title = a.limit ? what : what + ", " + std::to_string(a.levels) + (a.levels == 1 ? " round" : " rounds"),
+         .pixels = a.pixels,
+         .curves = arrows_of(samples)},
+        samples);
   progress.erase();
   if (a.quiet) return;
-  const auto& speed = samples.arrays.back().values;
-  std::cout << what << ": " << coarse.cells_x() << " x " << coarse.cells_y() << " cells -> " << samples.points[0] - 1
-            << " x " << samples.points[1] - 1 << ", speed up to "
-            << number_text(*std::max_element(speed.begin(), speed.end()), 6) << ", divergence up to "
-            << number_text(largest(divergence(cropped(fine, 1))), 3) << " (given "
-            << number_text(largest(divergence(coarse)), 3) << "), rotation up to "
-            << number_text(largest(rotation(fine)), 3) << "; wrote " << a.output << '\n';
+  std::cout << what << ": " << cells[0] << " x " << cells[1] << " cells -> " << samples.points[0] - 1 << " x "
+            << samples.points[1] - 1 << ", speed up to " << number_text(largest_speed(samples), 6) << account
+            << "; wrote " << a.output << '\n';
 }
 
 }  // namespace batten

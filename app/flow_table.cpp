@@ -43,7 +43,7 @@ EvenSteps steps_of(std::vector<double> values, const std::string& file, const st
   return steps;
 }
 
-/// Components u and v at the points of the grid.
+/// The columns behind x and y at the points of the grid.
 ControlGrid grid_of(const Table& table, const std::string& file) {
   const EvenSteps x = steps_of(table.columns[0], file, "x"), y = steps_of(table.columns[1], file, "y");
   const std::size_t rows = table.lines.size();
@@ -51,7 +51,7 @@ ControlGrid grid_of(const Table& table, const std::string& file) {
     throw InvalidInput(file + ": the points must form a grid, found " + std::to_string(x.points) + " different x and " +
                        std::to_string(y.points) + " different y of " + std::to_string(rows) + " points");
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  ControlGrid grid{.components = {2, Eigen::MatrixXd::Constant(x.points, y.points, unknown)},
+  ControlGrid grid{.components = {table.columns.size() - 2, Eigen::MatrixXd::Constant(x.points, y.points, unknown)},
                    .start = {x.first, y.first},
                    .spacing = {x.step, y.step}};
   const std::string shape = "a grid of " + std::to_string(x.points) + " x " + std::to_string(y.points) + " points";
@@ -62,7 +62,7 @@ ControlGrid grid_of(const Table& table, const std::string& file) {
         file + ", line " + std::to_string(table.lines[row]) + ": the point " + point_text(at_x, at_y);
     if (i < 0 || j < 0) throw InvalidInput(place + " is off " + shape + " at equal distances");
     if (!std::isnan(grid.components[0](i, j))) throw InvalidInput(place + " is given twice");
-    for (std::size_t k : {0, 1}) grid.components[k](i, j) = table.columns[2 + k][row];
+    for (std::size_t k = 0; k < grid.components.size(); ++k) grid.components[k](i, j) = table.columns[2 + k][row];
   }
   for (int j = 0; j < y.points; ++j)
     for (int i = 0; i < x.points; ++i)
@@ -71,17 +71,28 @@ ControlGrid grid_of(const Table& table, const std::string& file) {
   return grid;
 }
 
-}  // namespace
-
-StaggeredField read_flow(const std::string& file, FlowSamples samples) {
-  const ControlGrid grid = grid_of(read_table(file, {.columns = {"x", "y", "u", "v"}}), file);
+/// The grid of a table with these columns behind x and y.
+ControlGrid read_grid(const std::string& file, const std::vector<std::string>& names) {
+  std::vector<std::string> columns = {"x", "y"};
+  columns.insert(columns.end(), names.begin(), names.end());
+  ControlGrid grid = grid_of(read_table(file, {.columns = columns}), file);
   const auto [hx, hy] = grid.spacing;
   if (std::abs(hx - hy) > tolerance * hx)
     throw InvalidInput(file + ": cells must be square, found steps of " + number_text(hx, 6) + " in x and " +
                        number_text(hy, 6) + " in y");
+  grid.spacing[1] = hx;
+  return grid;
+}
+
+}  // namespace
+
+StaggeredField read_flow(const std::string& file, FlowSamples samples) {
+  const ControlGrid grid = read_grid(file, {"u", "v"});
   if (samples == FlowSamples::Vertices) return from_vertices(grid);
   const Eigen::MatrixXd &u = grid.components[0], &v = grid.components[1];
-  return {u.leftCols(u.cols() - 1), v.topRows(v.rows() - 1), grid.start, hx};
+  return {u.leftCols(u.cols() - 1), v.topRows(v.rows() - 1), grid.start, grid.spacing[0]};
 }
+
+ControlGrid read_rotors(const std::string& file) { return read_grid(file, {"rotation"}); }
 
 }  // namespace batten

@@ -18,4 +18,7 @@ enum class FlowSamples {
 /// or off the grid, cells are not square or there are fewer than 2 x 2 points.
 StaggeredField read_flow(const std::string& file, FlowSamples samples);
 
+/// The rotation u_y - v_x at the vertices of such a grid, from a table of columns x, y, rotation. Throws likewise.
+ControlGrid read_rotors(const std::string& file);
+
 }  // namespace batten

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/nearest_name.h>
 #include <batten/app/polyharmonic_mask.h>
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/scheme_options.h>
@@ -117,17 +118,21 @@ const Entry& entry_of(const SchemeArguments& arguments) {
   const auto& entries = catalogue();
   const auto entry =
       std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.name == arguments.name; });
-  if (entry == entries.end())
-    throw UsageError("there is no scheme '" + arguments.name + "'; the schemes are " + scheme_names());
+  if (entry == entries.end()) throw UsageError(unknown_scheme_text(arguments.name, scheme_names()));
   return *entry;
 }
 
 }  // namespace
 
-std::string scheme_names() {
-  std::string names;
-  for (const Entry& entry : catalogue()) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+std::vector<const char*> scheme_names() {
+  std::vector<const char*> names;
+  for (const Entry& entry : catalogue()) names.push_back(entry.name);
   return names;
+}
+
+std::string unknown_scheme_text(const std::string& name, std::span<const char* const> names) {
+  return "there is no scheme '" + name + "'; did you mean '" + nearest_name(name, names) + "'? The schemes are " +
+         name_list(names);
 }
 
 void check_options(const SchemeArguments& arguments, const std::vector<std::string>& needs,

@@ -5,6 +5,7 @@
 #include <batten/bases/scheme.h>
 
 #include <complex>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,8 +16,11 @@ namespace batten {
 /// A scheme on the line or in the plane.
 using AnyScheme = std::variant<Scheme, Scheme2>;
 
-/// The names that `batten scheme` knows, separated by commas.
-std::string scheme_names();
+/// The names of the schemes that scheme_of() makes.
+std::vector<const char*> scheme_names();
+
+/// "there is no scheme 'b-spline'; did you mean 'bspline'? The schemes are ..."
+std::string unknown_scheme_text(const std::string& name, std::span<const char* const> names);
 
 /// The scheme of that name and those options. Throws UsageError for a name that is not known (with the names), an
 /// option that the scheme does not have or needs, or one that cannot be read; InvalidInput for values that it refuses.

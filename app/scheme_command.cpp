@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/nearest_name.h>
 #include <batten/app/output_names.h>
 #include <batten/app/polyharmonic_account.h>
 #include <batten/app/polyharmonic_pictures.h>
@@ -130,7 +131,9 @@ void run_scheme(const SchemeArguments& arguments) {
 Subcommand add_scheme_command(CLI::App& app) {
   CLI::App* const parser = app.add_subcommand("scheme", "What a subdivision scheme is and does, exactly");
   const auto a = std::make_shared<SchemeArguments>();
-  parser->add_option("NAME", a->name, "one of " + scheme_names() + ", quotient")->required()->option_text(" ");
+  parser->add_option("NAME", a->name, "one of " + name_list(scheme_names()) + ", quotient")
+      ->required()
+      ->option_text(" ");
   add_making_options(*parser, *a);
   add_quotient_options(*parser, *a);
   parser->add_option("--level", a->level, "of the grid of values, and of the mask where it changes")

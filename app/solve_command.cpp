@@ -111,7 +111,7 @@ Subcommand add_solve_command(CLI::App& app) {
                                   : "there is no template '" + text + "'; there are " + template_kinds();
   });
   parser->add_option("-o,--output", a->output, "the solution; of modes OUT_mode1.vti ..., of motion OUT_0000.vti ...")
-      ->option_text("OUT.vti");
+      ->option_text("OUT.vti|OUT.vtu");
   parser
       ->add_option("--picture", a->picture,
                    "the solution; of motion its end; of modes maps with nodal lines; of a flow streamlines")

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <batten/app/flow_outputs.h>
+#include <batten/app/flow_picture.h>
+#include <batten/app/sample_file.h>
 #include <batten/app/solve_flow.h>
 #include <batten/app/solve_outputs.h>
 #include <batten/flows/streamlines.h>
-#include <batten/io/image_file.h>
 
 namespace batten {
 namespace {
@@ -20,7 +20,7 @@ void write_flow(SolveWork& work, const GridSamples& grid) {
                     {"largest_divergence", result.largest_divergence}};
   record.texts = {{"model", work.file.kind()},          {"x", "x"}, {"y", "y"}, {"u", "u"}, {"v", "v"},
                   {"program", "batten " BATTEN_VERSION}};
-  write_image(path, grid, record);
+  write_samples(path, grid, record);
   work.account.files.push_back(path);
 }
 
@@ -34,7 +34,7 @@ void draw_flow(SolveWork& work, const GridSamples& grid) {
   work.account.flow->streamlines = curves.size();
   work.end_phase("streamlines");
   work.progress.show("draw " + path);
-  draw_flow_picture({.path = path, .field = &field, .streamlines = std::move(curves)}, grid);
+  draw_flow_picture({.path = path, .curves = std::move(curves), .heads = PictureOptions::Heads::Along}, grid);
   work.account.files.push_back(path);
 }
 

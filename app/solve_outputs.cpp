@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/output_names.h>
+#include <batten/app/sample_file.h>
 #include <batten/app/solve_outputs.h>
 #include <batten/fem/plate_forces.h>
-#include <batten/io/image_file.h>
 #include <batten/io/output_file.h>
 #include <batten/io/picture.h>
 
@@ -42,7 +42,7 @@ std::string collection_name(const std::string& file) {
 void check_solve_outputs(const SolveArguments& arguments) {
   for (const std::string& file : {arguments.output, arguments.picture, arguments.report})
     check_not_input(file, arguments.problem);
-  check_output_name("-o", arguments.output, {".vti"});
+  check_output_name("-o", arguments.output, {".vti", ".vtu"});
   check_output_name("--picture", arguments.picture, {".png"});
   check_output_name("--report", arguments.report, {".json"});
 }
@@ -92,7 +92,7 @@ void write_solution(const SolutionFile& file, const GridSamples& grid) {
                   {"y", "y"},
                   {"value", file.problem->unknown()},
                   {"program", "batten " BATTEN_VERSION}};
-  write_image(file.path, grid, record);
+  write_samples(file.path, grid, record);
 }
 
 void draw_surface_picture(const std::string& path, const GridSamples& grid, const std::string& name,

@@ -3,6 +3,7 @@
 
 #include <batten/app/scheme_arguments.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,16 +21,17 @@ struct SubdivideArguments {
   std::optional<double> tension;
   // Flows.
   std::string kind, samples;
+  std::optional<std::array<int, 2>> pixels;  ///< width and height of the picture
   // Curves.
   std::vector<std::string> columns;  ///< of the points; empty: x, y, z or the first ones
   std::string parameter = "uniform";
   bool closed = false;
   bool interpolate = false;
   std::optional<double> smoothing, tolerance;
-  bool limit = false;
+  bool limit = false;  ///< of flows as well
   std::string show = "result";
   // What is written.
-  std::string output, picture, view = "surface";
+  std::string output, picture, view;
   int threads = 0;
   bool quiet = false;
 };

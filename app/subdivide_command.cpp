@@ -3,15 +3,19 @@
 #include <batten/app/curve_subdivision.h>
 #include <batten/app/flow_subdivision.h>
 #include <batten/app/grid_subdivision.h>
+#include <batten/app/nearest_name.h>
 #include <batten/app/output_names.h>
 #include <batten/app/scheme_catalogue.h>
 #include <batten/app/scheme_options.h>
 #include <batten/app/subdivide_command.h>
 #include <batten/app/thread_count.h>
+#include <batten/app/usage_error.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace batten {
 namespace {
@@ -49,11 +53,15 @@ slow-flow (creeping, smooth). The table has columns x, y, u, v and a row for eac
 vertex of a grid of square cells, in any order.
   --samples vertices  (default) u and v at (x, y); walls take the mean of their ends
             walls     u on the wall from (x, y) upward, v on that to the right
+            rotors    a column rotation (u_y - v_x) instead, for --limit
   --kind commuting    (default) a cell's divergence passes to its four children:
                       a field without divergence keeps none, to rounding
          book         rotation as the law asks, divergence small
   --boundary extend   (default) nearest velocities outside; open and zero as above
-Written are velocity, divergence, rotation (u_y - v_x) and speed at vertices.
+  --limit             the flow that the exact scheme tends to, by its formula, at the
+                      vertices of level K; the given flow is at rest outside
+Written at vertices are velocity and speed, and but for the limit divergence,
+rotation (u_y - v_x) and stream_function; cell_divergence in the cells.
 
 Examples:
   batten subdivide examples/data/hand.csv --scheme natural-cubic --interpolate \
@@ -63,9 +71,21 @@ Examples:
   batten subdivide examples/data/plate.csv --scheme bounded-harmonic --levels 2 -o h.vti
   batten subdivide examples/data/plate.csv --scheme bspline --order 4 --levels 3 -o plate.csv
   batten subdivide examples/data/eddies.csv --scheme slow-flow --samples walls \
-    --levels 4 -o eddies.vti --picture eddies.png --view map)";
+    --levels 4 -o eddies.vtu --picture eddies.png
+  batten subdivide examples/data/whirls.csv --scheme slow-flow --samples walls \
+    --limit -o whirls.vti --picture whirls.png)";
+
+std::vector<const char*> names_of_schemes() {
+  std::vector<const char*> names = scheme_names();
+  names.insert(names.end(), {"natural-cubic", "bounded-harmonic", "bounded-thin-plate", "bounded-tension",
+                             "perfect-flow", "slow-flow"});
+  return names;
+}
 
 void run_subdivide(const SubdivideArguments& arguments) {
+  const auto names = names_of_schemes();
+  if (std::find(names.begin(), names.end(), arguments.scheme.name) == names.end())
+    throw UsageError("--scheme: " + unknown_scheme_text(arguments.scheme.name, names));
   for (const std::string& file : {arguments.output, arguments.picture}) check_not_input(file, arguments.input);
   set_thread_count(arguments.threads);
   if (is_flow_scheme(arguments.scheme.name)) return subdivide_flow(arguments);
@@ -78,9 +98,9 @@ void add_flow_options(CLI::App& parser, SubdivideArguments& a) {
   parser.add_option("--kind", a.kind, "of flows: commuting (default) or book")
       ->option_text("NAME")
       ->check(CLI::IsMember({"commuting", "book"}));
-  parser.add_option("--samples", a.samples, "of flows: at vertices (default) or on walls")
+  parser.add_option("--samples", a.samples, "of flows: at vertices (default), on walls, or rotors")
       ->option_text("WHERE")
-      ->check(CLI::IsMember({"vertices", "walls"}));
+      ->check(CLI::IsMember({"vertices", "walls", "rotors"}));
 }
 
 void add_curve_options(CLI::App& parser, SubdivideArguments& a) {
@@ -97,7 +117,7 @@ void add_curve_options(CLI::App& parser, SubdivideArguments& a) {
   parser.add_option("--tolerance", a.tolerance, "natural-cubic so near to each point")
       ->option_text("E")
       ->check(CLI::PositiveNumber);
-  parser.add_flag("--limit", a.limit, "points of the limit curve instead of its control polygon");
+  parser.add_flag("--limit", a.limit, "of curves and flows: points of the limit instead");
   parser.add_option("--show", a.show, "what is written and drawn of natural-cubic")
       ->option_text("WHAT")
       ->check(CLI::IsMember({"result", "rounds", "forces", "multiresolution"}));
@@ -113,11 +133,7 @@ Subcommand add_subdivide_command(CLI::App& app) {
                    "table of points or of a flow with a header, or matrix of numbers; - reads standard input")
       ->required()
       ->option_text(" ");
-  parser
-      ->add_option(
-          "--scheme", a->scheme.name,
-          "one of " + scheme_names() +
-              ", natural-cubic, bounded-harmonic, bounded-thin-plate, bounded-tension, perfect-flow, slow-flow")
+  parser->add_option("--scheme", a->scheme.name, "one of " + name_list(names_of_schemes()))
       ->required()
       ->option_text("NAME");
   add_making_options(*parser, a->scheme);
@@ -134,13 +150,17 @@ Subcommand add_subdivide_command(CLI::App& app) {
       ->check(CLI::Range(0., 1.));
   add_flow_options(*parser, *a);
   add_curve_options(*parser, *a);
-  parser->add_option("-o,--output", a->output, "grids OUT.vti, curves OUT.vtp, both OUT.csv")
+  parser->add_option("-o,--output", a->output, "grids OUT.vti, flows OUT.vti or .vtu, curves OUT.vtp, all OUT.csv")
       ->required()
       ->option_text("OUT");
   auto* const picture = parser->add_option("--picture", a->picture, "of the result")->option_text("OUT.png");
-  parser->add_option("--view", a->view, "of the picture: surface (default) or map")
+  parser->add_option("--view", a->view, "of a grid's picture: surface (default) or map; flows have a map with arrows")
       ->option_text("VIEW")
       ->check(CLI::IsMember({"surface", "map"}))
+      ->needs(picture);
+  parser->add_option("--pixels", a->pixels, "size of a flow's picture, default 1200 900")
+      ->option_text("W H")
+      ->check(CLI::Range(200, 16000))
       ->needs(picture);
   parser->add_option("--threads", a->threads, "default: all of the machine; the result does not depend on it")
       ->option_text("N")

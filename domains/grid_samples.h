@@ -7,7 +7,7 @@
 
 namespace batten {
 
-/// A named array of point values, `components` numbers per point, interleaved. Blank values are NaN.
+/// A named array of values at points or in cells, `components` numbers for each, interleaved. Blank values are NaN.
 struct PointArray {
   std::string name;
   int components = 1;
@@ -21,6 +21,7 @@ struct GridSamples {
   std::array<double, 2> origin = {0, 0};
   std::array<double, 2> spacing = {1, 1};
   std::vector<PointArray> arrays;
+  std::vector<PointArray> cell_arrays;  ///< of the (points[0] - 1) x (points[1] - 1) cells between, x fastest
 };
 
 /// Values at scattered points (x[i], y[i], z[i]).

@@ -1,79 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
+#include <batten/io/grid_data.h>
 #include <batten/io/image_file.h>
 #include <batten/io/sample_checks.h>
 #include <batten/io/vtk_errors.h>
 #include <batten/io/vtk_output.h>
 
-#include <vtkDataArray.h>
 #include <vtkDataArraySelection.h>
-#include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkStringArray.h>
+#include <vtkSmartPointer.h>
 #include <vtkXMLImageDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <fstream>
-#include <span>
-#include <string_view>
 
 namespace batten {
 namespace {
 
-// Names in the field data. Version 1 has these and no others.
-constexpr std::string_view version_name = "batten.version";
-constexpr std::string_view kind_name = "batten.kind";
-constexpr std::string_view degree_name = "batten.degree";
-constexpr std::string_view cells_name = "batten.cells";
-constexpr std::string_view region_name = "batten.region";
-constexpr std::string_view array_prefix = "batten.array.";
-constexpr std::string_view number_prefix = "batten.number.";
-constexpr std::string_view text_prefix = "batten.text.";
-constexpr int version = 1;
-
-// Small values are copied: they need not outlive the call.
-void add_numbers(vtkFieldData* data, std::string_view name, std::span<const double> values) {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(std::string(name).c_str());
-  for (const double value : values) array->InsertNextValue(value);
-  data->AddArray(array);
-}
-
-void add_integers(vtkFieldData* data, std::string_view name, std::span<const int> values) {
-  vtkNew<vtkIntArray> array;
-  array->SetName(std::string(name).c_str());
-  for (const int value : values) array->InsertNextValue(value);
-  data->AddArray(array);
-}
-
-void add_text(vtkFieldData* data, std::string_view name, const std::string& text) {
-  vtkNew<vtkStringArray> array;
-  array->SetName(std::string(name).c_str());
-  array->InsertNextValue(text);
-  data->AddArray(array);
-}
-
-void add_record(vtkFieldData* data, const Record& record) {
-  for (const auto& entry : record.numbers) check_name(entry.first);
-  for (const auto& entry : record.texts) check_name(entry.first);
-  add_integers(data, version_name, std::array{version});
-  add_text(data, kind_name, record.kind);
-  add_integers(data, degree_name, std::array{record.degree});
-  add_integers(data, cells_name, record.cells);
-  add_numbers(data, region_name, record.region);
-  for (const auto& [name, values] : record.arrays) add_array(data, std::string(array_prefix) + name, values, 1);
-  for (const auto& [name, value] : record.numbers) add_numbers(data, std::string(number_prefix) + name, {&value, 1});
-  for (const auto& [name, text] : record.texts) add_text(data, std::string(text_prefix) + name, text);
-}
-
-void check_is_image(const std::filesystem::path& path) {
+// The reader of the file's type.
+vtkSmartPointer<vtkXMLReader> reader_of(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw IoError(path.string() + ": there is no such file");
   if (std::filesystem::is_directory(path, error)) throw IoError(path.string() + ": is a folder, a file is expected");
@@ -82,60 +29,10 @@ void check_is_image(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError(path.string() + ": cannot be read");
   file.read(head.data(), head_size);
-  if (head.find("<VTKFile") == std::string::npos || head.find("ImageData") == std::string::npos) {
-    throw InvalidInput(path.string() + ": is not a VTK image file (.vti)");
-  }
-}
-
-// The numbers of a field array, `count` of them (any number if 0).
-std::vector<double> numbers_of(vtkAbstractArray* array, std::size_t count, const std::string& file) {
-  auto* const numbers = vtkDataArray::SafeDownCast(array);
-  const auto size = numbers ? static_cast<std::size_t>(numbers->GetNumberOfValues()) : 0;
-  if (!numbers || (count != 0 && size != count)) {
-    const std::string name = array && array->GetName() ? array->GetName() : "";
-    throw InvalidInput(file + ": the field array '" + name + "' of Batten's record is missing or damaged");
-  }
-  if (auto* const doubles = vtkDoubleArray::SafeDownCast(numbers)) {
-    return {doubles->GetPointer(0), doubles->GetPointer(0) + size};
-  }
-  std::vector<double> values(size);
-  for (std::size_t i = 0; i < size; ++i) values[i] = numbers->GetComponent(static_cast<vtkIdType>(i), 0);
-  return values;
-}
-
-int integer_of(double value) { return static_cast<int>(std::lround(value)); }
-
-std::string text_of(vtkAbstractArray* array) {
-  auto* const text = vtkStringArray::SafeDownCast(array);
-  return text && text->GetNumberOfValues() == 1 ? std::string(text->GetValue(0)) : std::string();
-}
-
-// Puts the array into the record if it belongs there.
-void restore(vtkAbstractArray* array, const std::string& file, Record& record) {
-  const std::string name = array->GetName() ? array->GetName() : "";
-  const auto rest = [&](std::string_view prefix) { return name.substr(prefix.size()); };
-  if (name.starts_with(array_prefix)) record.arrays[rest(array_prefix)] = numbers_of(array, 0, file);
-  if (name.starts_with(number_prefix)) record.numbers[rest(number_prefix)] = numbers_of(array, 1, file)[0];
-  if (name.starts_with(text_prefix)) record.texts[rest(text_prefix)] = text_of(array);
-}
-
-Record record_in(vtkFieldData* data, const std::string& file) {
-  const auto array = [&](std::string_view name) { return data->GetAbstractArray(std::string(name).c_str()); };
-  if (!array(version_name)) throw InvalidInput(file + ": was not written by Batten (it has no record)");
-  const int found = integer_of(numbers_of(array(version_name), 1, file)[0]);
-  if (found != version) {
-    throw InvalidInput(file + ": its record has version " + std::to_string(found) + ", this Batten reads version " +
-                       std::to_string(version));
-  }
-  Record record;
-  record.kind = text_of(array(kind_name));
-  record.degree = integer_of(numbers_of(array(degree_name), 1, file)[0]);
-  const std::vector<double> cells = numbers_of(array(cells_name), 2, file);
-  record.cells = {integer_of(cells[0]), integer_of(cells[1])};
-  const std::vector<double> region = numbers_of(array(region_name), 4, file);
-  std::copy(region.begin(), region.end(), record.region.begin());
-  for (int k = 0; k < data->GetNumberOfArrays(); ++k) restore(data->GetAbstractArray(k), file, record);
-  return record;
+  const auto holds = [&](const char* word) { return head.find(word) != std::string::npos; };
+  if (holds("<VTKFile") && holds("ImageData")) return vtkSmartPointer<vtkXMLImageDataReader>::New();
+  if (holds("<VTKFile") && holds("UnstructuredGrid")) return vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
+  throw InvalidInput(path.string() + ": is neither a VTK image file (.vti) nor an unstructured grid (.vtu)");
 }
 
 }  // namespace
@@ -146,35 +43,25 @@ void write_image(const std::filesystem::path& path, const GridSamples& grid, con
   image->SetDimensions(grid.points[0], grid.points[1], 1);
   image->SetOrigin(grid.origin[0], grid.origin[1], 0);
   image->SetSpacing(grid.spacing[0], grid.spacing[1], 1);
-  vtkPointData* const data = image->GetPointData();
-  for (const PointArray& array : grid.arrays) {
-    add_array(data, array.name, array.values, array.components);
-    const char* const name = array.name.c_str();
-    const bool is_scalar = array.name == "value" || array.name == "speed";
-    const bool is_vector = array.name == "gradient" || array.name == "velocity";
-    if (is_scalar && array.components == 1) data->SetActiveScalars(name);
-    if (is_vector && array.components == 3) data->SetActiveVectors(name);
-  }
-  add_record(image->GetFieldData(), record);
-
+  add_grid_data(image, grid, record);
   write_vtk(path, image);
 }
 
 Record read_record(const std::filesystem::path& path) {
-  check_is_image(path);
   const VtkErrors errors;
-  vtkNew<vtkXMLImageDataReader> reader;
+  const auto reader = reader_of(path);
   errors.listen(reader);
   reader->SetReaderErrorObserver(errors.observer());
   reader->SetParserErrorObserver(errors.observer());
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
   reader->GetPointDataArraySelection()->DisableAllArrays();
+  reader->GetCellDataArraySelection()->DisableAllArrays();
   reader->Update();
   if (errors.heard() || reader->GetErrorCode() != vtkErrorCode::NoError) {
-    throw IoError(path.string() + ": cannot be read as a VTK image file; it is damaged or incomplete");
+    throw IoError(path.string() + ": cannot be read as a VTK file; it is damaged or incomplete");
   }
-  return record_in(reader->GetOutput()->GetFieldData(), path.string());
+  return record_in(reader->GetOutputAsDataSet(), path.string());
 }
 
 }  // namespace batten

@@ -14,8 +14,8 @@ namespace batten {
 /// Throws IoError if the file cannot be written, InvalidInput if an array does not fit the grid.
 void write_image(const std::filesystem::path& path, const GridSamples& grid, const Record& record);
 
-/// The record in a file of `write_image`. Throws IoError if there is no such file or it cannot be read, InvalidInput if
-/// it is not VTK image data or was not written by Batten.
+/// The record in a file of `write_image` or `write_quads`. Throws IoError if there is no such file or it cannot be
+/// read, InvalidInput if it is neither of these or was not written by Batten.
 Record read_record(const std::filesystem::path& path);
 
 }  // namespace batten

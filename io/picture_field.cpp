@@ -56,13 +56,17 @@ void add_point(const PictureField& field, const SceneScale& scale, std::size_t i
 }
 
 // Point indices of the triangles of the cell with corners a, b (below) and c, d (above): all that have no blank corner.
+// The cell is cut between the corners that differ less, so that mirror images look alike.
 void add_cell(const std::array<int, 4>& corners, const std::vector<float>& levels, std::vector<int>& triangles) {
   const auto [a, b, c, d] = corners;
   const auto blank = [&](int point) { return std::isnan(levels[static_cast<std::size_t>(point)]); };
   const auto add = [&](int p, int q, int r) {
     if (!blank(p) && !blank(q) && !blank(r)) triangles.insert(triangles.end(), {p, q, r});
   };
-  if (blank(a) || blank(d)) {
+  const auto difference = [&](int p, int q) {
+    return std::abs(levels[static_cast<std::size_t>(p)] - levels[static_cast<std::size_t>(q)]);
+  };
+  if (blank(a) || blank(d) || difference(b, c) < difference(a, d)) {
     add(a, b, c);
     add(b, d, c);
   } else {

@@ -7,8 +7,8 @@
 
 namespace batten {
 
-/// Throws InvalidInput, in the name of `function`, unless every array has as many values as the grid's points and its
-/// components ask for, and the grid has at least one point.
+/// Throws InvalidInput, in the name of `function`, unless every array has as many values as the grid's points (or
+/// cells) and its components ask for, and the grid has at least one point.
 void check_arrays(const GridSamples& grid, const std::string& function);
 
 /// The same for scattered samples; x, y and z must have equal lengths.

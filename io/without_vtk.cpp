@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands in for image_file, point_file, curve_file, picture, chart and png where Batten is built without VTK.
+// What stands in for image_file, quad_file, point_file, curve_file, picture, chart and png where Batten is built
+// without VTK.
 #include <batten/domains/errors.h>
 #include <batten/io/chart.h>
 #include <batten/io/curve_file.h>
@@ -7,6 +8,7 @@
 #include <batten/io/picture.h>
 #include <batten/io/png.h>
 #include <batten/io/point_file.h>
+#include <batten/io/quad_file.h>
 
 namespace batten {
 namespace {
@@ -19,6 +21,10 @@ namespace {
 
 void write_image(const std::filesystem::path& path, const GridSamples&, const Record&) {
   refuse(path.string(), " and cannot write .vti files; write .csv");
+}
+
+void write_quads(const std::filesystem::path& path, const GridSamples&, const Record&) {
+  refuse(path.string(), " and cannot write .vtu files; write .csv");
 }
 
 Record read_record(const std::filesystem::path& path) { refuse(path.string(), " and cannot read .vti files"); }

@@ -106,6 +106,22 @@ TEST_F(FlowCommand, gives_evaluate_velocity_divergence_and_vorticity) {
   }
 }
 
+TEST_F(FlowCommand, writes_the_same_as_quads) {
+  const std::string line = in + "--region 0 2 0 1 --cells 16 8 --smoothing 1e-3 -o ";
+  folder_.write("at.csv", "x,y\n0,0\n0.5,0.25\n2,1\n");
+  for (const std::string file : {"f.vti", "f.vtu"}) {
+    expect_success(folder_, line + file);
+    expect_success(folder_, "evaluate " + file + " --at at.csv --derivatives -o " + file + ".csv");
+  }
+  EXPECT_EQ(folder_.read("f.vti.csv"), folder_.read("f.vtu.csv"));
+  const std::string quads = folder_.read("f.vtu");
+  EXPECT_THAT(quads, HasSubstr("type=\"UnstructuredGrid\""));
+  for (const char* const count : {"NumberOfPoints=\"153\"", "NumberOfCells=\"128\""})
+    EXPECT_THAT(quads, HasSubstr(count));
+  for (const char* const name : {"velocity", "divergence", "vorticity", "speed", "stream_function"})
+    EXPECT_THAT(quads, HasSubstr("Name=\"" + std::string(name) + "\"")) << name;
+}
+
 TEST_F(FlowCommand, gives_evaluate_derivatives_and_counts_points_outside) {
   folder_.write("in.csv", linear_flow(true));
   folder_.write("at.csv", "x,y\n0.5,0.25\n3,0\n");
@@ -225,6 +241,9 @@ TEST_F(FlowCommand, pictures_of_arrows_and_of_streamlines_differ) {
   expect_success(folder_, line + "--picture a.png");
   expect_success(folder_, line + "--picture b.png --streamlines 5");
   EXPECT_NE(folder_.read("a.png"), folder_.read("b.png"));
+  expect_success(folder_, line + "--picture c.png --pixels 300 240");
+  EXPECT_EQ(folder_.read("c.png").substr(16, 8), std::string("\0\0\x01\x2c\0\0\0\xf0", 8));  // width and height
+  expect_failure(line + "--pixels 300 240", 2, "--pixels");
 }
 
 TEST_F(FlowCommand, refuses_what_does_not_fit_together) {
@@ -239,7 +258,11 @@ TEST_F(FlowCommand, refuses_what_does_not_fit_together) {
   expect_failure(out + "--degree 2", 2, "--degree");
   expect_failure(out + "--cells 1 8", 2, "--cells: at least 2 x 2 are needed");
   expect_failure(out + "--smoothing much", 2, "--smoothing: 'much' is neither auto nor none");
-  expect_failure(in + "-o f.csv", 2, "-o: the name must end with .vti");
+  expect_failure(in + "-o f.csv", 2, "-o: the name must end with .vti or .vtu, found 'f.csv'");
+  expect_failure(out + "--streamlines 5 --streamlines-out f.vtu", 2,
+                 "--streamlines-out: the name must end with .vtp, found 'f.vtu'");
+  expect_failure(out + "--picture f.jpg", 2, "--picture: the name must end with .png, found 'f.jpg'");
+  expect_failure(out + "--report f.txt", 2, "--report: the name must end with .json, found 'f.txt'");
   expect_failure(in + "-o f.vti --report in.csv", 2, "in.csv: is an input");
   for (const char* const unknown : {"--shores closed", "--aspect 2"})
     expect_failure(out + unknown, 2, words(unknown)[0]);

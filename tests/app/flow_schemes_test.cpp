@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <string>
+#include <vector>
 
 namespace batten::test {
 namespace {
@@ -15,6 +18,7 @@ using testing::HasSubstr;
 using testing::SizeIs;
 
 constexpr const char* eddies = "examples/data/eddies.csv";  // 13 x 11 vertices, on walls without divergence
+constexpr const char* whirls = "examples/data/whirls.csv";  // the same, at rest in the outermost cells
 
 double largest(const std::vector<double>& values) {
   double found = 0;
@@ -39,6 +43,16 @@ std::string steady_table() {
   return table_of([](double, double) { return 2.; }, [](double, double) { return -3.; });
 }
 
+struct Vectors {
+  std::vector<double> x, y, u, v;
+};
+
+/// The velocities of out.csv.
+Vectors written_vectors(const Folder& folder) {
+  const auto values = [&](const char* name) { return column(folder, "out.csv", name); };
+  return {values("x"), values("y"), values("velocity_x"), values("velocity_y")};
+}
+
 TEST(FlowSchemes, keep_divergence_away_when_they_commute) {
   const Folder folder;
   for (const char* scheme : {"perfect-flow", "slow-flow"}) {
@@ -59,8 +73,7 @@ TEST(FlowSchemes, keep_constants_and_places) {
   folder.write("steady.csv", steady_table());
   for (const char* options : {"perfect-flow", "slow-flow --kind book", "slow-flow --size 5 --samples walls"}) {
     expect_success(folder, std::string("subdivide steady.csv --levels 2 -o out.csv --quiet --scheme ") + options);
-    const auto x = column(folder, "out.csv", "x"), y = column(folder, "out.csv", "y");
-    const auto u = column(folder, "out.csv", "velocity_x"), v = column(folder, "out.csv", "velocity_y");
+    const auto [x, y, u, v] = written_vectors(folder);
     ASSERT_THAT(x, SizeIs(21 * 17));
     EXPECT_EQ(x.front(), 1);
     EXPECT_EQ(x.back(), 3.5);
@@ -89,17 +102,112 @@ TEST(FlowSchemes, read_vertices_and_walls_where_they_are) {
   }
 }
 
+TEST(FlowSchemes, write_the_stream_function_of_fields_without_divergence) {
+  // u at a vertex is the mean of two walls, so the difference of psi over both; the spacing is 1/4.
+  const Folder folder;
+  expect_success(
+      folder, std::string("subdivide ") + eddies + " --samples walls --levels 2 --scheme slow-flow -o out.csv --quiet");
+  const auto psi = column(folder, "out.csv", "stream_function");
+  const auto u = column(folder, "out.csv", "velocity_x"), v = column(folder, "out.csv", "velocity_y");
+  ASSERT_THAT(psi, SizeIs(49 * 41));
+  EXPECT_EQ(psi[0], 0);
+  for (std::size_t j = 1; j < 40; ++j)
+    for (std::size_t i = 1; i < 48; ++i) {
+      const std::size_t at = i + 49 * j;
+      EXPECT_NEAR((psi[at + 49] - psi[at - 49]) / 0.5, u[at], 1e-12);
+      EXPECT_NEAR((psi[at - 1] - psi[at + 1]) / 0.5, v[at], 1e-12);
+    }
+}
+
+TEST(FlowSchemes, have_the_formula_of_a_wall_as_limit) {
+  const Folder folder;
+  expect_success(
+      folder, "subdivide examples/data/wall.csv --samples walls --limit --levels 2 --scheme perfect-flow -o out.csv");
+  const auto [x, y, u, v] = written_vectors(folder);
+  ASSERT_THAT(x, SizeIs(25 * 21));
+  int infinite = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (x[k] == 0 && std::abs(y[k]) == 0.5) {
+      EXPECT_TRUE(std::isnan(u[k]));
+      ++infinite;
+      continue;
+    }
+    const std::complex<double> z(x[k], y[k]), f = 1. / (2 * std::numbers::pi * (z * z + 0.25));
+    EXPECT_NEAR(u[k], f.real(), 1e-14);
+    EXPECT_NEAR(v[k], -f.imag(), 1e-14);
+  }
+  EXPECT_EQ(infinite, 2);
+}
+
+TEST(FlowSchemes, have_the_generator_as_limit_of_a_rotor) {
+  const Folder folder;
+  expect_success(
+      folder, "subdivide examples/data/rotor.csv --samples rotors --limit --levels 1 --scheme perfect-flow -o out.csv");
+  const auto [x, y, u, v] = written_vectors(folder);
+  ASSERT_THAT(x, SizeIs(25));
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double rho = 2 * std::numbers::pi * (x[k] * x[k] + y[k] * y[k]);
+    if (rho == 0) continue;
+    EXPECT_NEAR(u[k], y[k] / rho, 1e-15);
+    EXPECT_NEAR(v[k], -x[k] / rho, 1e-15);
+  }
+}
+
+/// The largest difference of velocities between two tables.
+double difference(const Folder& folder, const std::string& a, const std::string& b) {
+  double found = 0;
+  for (const char* name : {"velocity_x", "velocity_y"}) {
+    const auto of_a = column(folder, a, name), of_b = column(folder, b, name);
+    EXPECT_EQ(of_a.size(), of_b.size());
+    for (std::size_t k = 0; k < std::min(of_a.size(), of_b.size()); ++k)
+      found = std::max(found, std::abs(of_a[k] - of_b[k]));
+  }
+  return found;
+}
+
+TEST(FlowSchemes, come_near_to_their_limit) {  // by as much as docs/flow_schemes.md says
+  const Folder folder;
+  const std::string line = std::string("subdivide ") + whirls + " --samples walls --scheme slow-flow --quiet ";
+  expect_success(folder, line + "--limit -o limit.csv");
+  const double speed = largest(column(folder, "limit.csv", "speed"));
+  const auto error = [&](const std::string& options) {
+    expect_success(folder, line + options + " -o out.csv");
+    return difference(folder, "out.csv", "limit.csv") / speed;
+  };
+  EXPECT_LT(error("--kind book --size 7"), 0.04);
+  EXPECT_LT(error("--size 17"), 0.02);
+  EXPECT_GT(error("--size 5"), 2 * error("--size 13"));
+}
+
 TEST(FlowSchemes, write_what_paraview_opens_and_a_picture) {
   if (!has_vtk) GTEST_SKIP() << "built without VTK";
   const Folder folder;
-  const Outcome outcome = run_batten(
-      folder,
-      words(std::string("subdivide ") + eddies + " --scheme slow-flow --levels 2 -o f.vti --picture f.png --view map"));
+  const std::string line = std::string("subdivide ") + eddies + " --scheme slow-flow --levels 2 ";
+  const Outcome outcome = run_batten(folder, words(line + "-o f.vti --picture f.png --view map"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("slow-flow, commuting, size 9: 12 x 10 cells -> 48 x 40, speed up to"));
   EXPECT_EQ(folder.read("f.png").substr(1, 3), "PNG");
-  for (const char* name : {"subdivided flow", "velocity", "divergence", "rotation", "speed"})
-    EXPECT_THAT(folder.read("f.vti"), HasSubstr(name));
+  expect_success(folder, line + "-o f.vtu");
+  for (const char* file : {"f.vti", "f.vtu"})
+    for (const char* name : {"subdivided flow", "velocity", "divergence", "rotation", "speed", "stream_function",
+                             "cell_divergence", "Scalars=\"speed\" Vectors=\"velocity\""})
+      EXPECT_THAT(folder.read(file), HasSubstr(name)) << file;
+  for (const char* count : {"NumberOfPoints=\"2009\"", "NumberOfCells=\"1920\""})
+    EXPECT_THAT(folder.read("f.vtu"), HasSubstr(count));
+}
+
+TEST(FlowSchemes, write_and_draw_limits) {
+  if (!has_vtk) GTEST_SKIP() << "built without VTK";
+  const Folder folder;
+  const Outcome outcome = expect_success(
+      folder, std::string("subdivide ") + whirls +
+                  " --samples walls --scheme perfect-flow --limit -o f.vtu --picture f.png --pixels 300 240");
+  EXPECT_THAT(outcome.out, HasSubstr("perfect-flow, limit: 12 x 10 cells -> 96 x 80, speed up to"));
+  EXPECT_EQ(folder.read("f.png").substr(16, 8), std::string("\0\0\x01\x2c\0\0\0\xf0", 8));  // width and height
+  EXPECT_THAT(folder.read("f.vtu"), HasSubstr("perfect-flow, limit"));
+  folder.write("at.csv", "x,y\n1,1\n");
+  expect_refusal(run_batten(folder, words("evaluate f.vtu --at at.csv -o there.csv")), 1,
+                 "f.vtu: is a subdivided flow, values at points alone; expected a result of fit, flow or solve");
 }
 
 void expect_failure(const Folder& folder, const std::string& arguments, int status, const std::string& message) {
@@ -138,9 +246,26 @@ TEST(FlowSchemes, say_what_cannot_be) {
   expect_failure(folder, "steady.csv --order 2" + flow, 2, "--order");
   expect_failure(folder, "steady.csv --closed" + flow, 2, "no options of curves");
   expect_failure(folder, "steady.csv --levels 12 --boundary zero --kind slow" + flow, 2, "--kind");
-  expect_failure(folder, "steady.csv --scheme slow-flow -o a.vtp", 2, "must end with .vti or .csv");
+  expect_failure(folder, "steady.csv --scheme slow-flow -o a.vtp", 2, "must end with .vti or .vtu or .csv");
+  expect_failure(folder, "steady.csv --view surface --picture a.png" + flow, 2, "--view of a flow is map");
+  expect_failure(folder, "steady.csv --pixels 20 20 --picture a.png" + flow, 2, "--pixels");
+  expect_failure(folder, "steady.csv --scheme bspline --order 4 --pixels 300 300 --picture a.png -o a.csv", 2,
+                 "--pixels is for --scheme perfect-flow and slow-flow, found bspline");
   expect_failure(folder, "steady.csv --scheme bspline --order 4 --kind book -o a.csv", 2,
                  "--kind is for --scheme perfect-flow and slow-flow, found bspline");
+}
+
+TEST(FlowSchemes, say_what_a_limit_cannot_have) {
+  const Folder folder;
+  folder.write("steady.csv", steady_table());
+  const std::string limit = "steady.csv --scheme slow-flow -o a.csv --limit ";
+  expect_failure(folder, limit + "--kind book", 2, "--limit is that of the exact scheme: no --kind and no --size");
+  expect_failure(folder, limit + "--size 7", 2, "no --kind and no --size");
+  expect_failure(folder, limit + "--boundary extend", 2, "at rest outside, --boundary zero; found extend");
+  expect_failure(folder, limit + "--samples rotors", 1, "there is no column 'rotation'");
+  expect_failure(folder, "steady.csv --scheme slow-flow -o a.csv --samples rotors", 2,
+                 "--samples rotors is for --limit");
+  expect_failure(folder, limit + "--levels 12", 1, "more than 2^28 vertices, on level 12");
 }
 
 }  // namespace

@@ -134,7 +134,8 @@ TEST(SchemeCommand, writes_pictures_and_files) {
 TEST(SchemeCommand, refuses_names_and_options_it_does_not_know) {
   expect_failure(
       {"b-spline"}, 2,
-      "there is no scheme 'b-spline'; the schemes are bspline, box, exponential, tension, four-point, "
+      "there is no scheme 'b-spline'; did you mean 'bspline'? The schemes are bspline, box, exponential, tension, "
+      "four-point, "
       "deslauriers-dubuc, six-point, ternary-four-point, butterfly, quad-interpolatory, polyharmonic, custom");
   expect_failure({"bspline"}, 2, "bspline needs --order");
   expect_failure({"four-point", "--order", "4"}, 2, "four-point has no option --order");

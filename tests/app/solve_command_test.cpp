@@ -39,7 +39,8 @@ TEST(SolveCommand, refuses_bad_command_lines) {
   folder.write("p.toml", "problem = \"plate\"\n" + square + all_fixed);
   expect_refusal(run_batten(folder, words("solve")), 2, "batten solve: PROBLEM is required");
   expect_refusal(run_batten(folder, words("solve p.toml")), 2, "--output is required");
-  expect_refusal(run_batten(folder, words("solve p.toml -o out.vtk")), 2, "-o: the name must end with .vti");
+  expect_refusal(run_batten(folder, words("solve p.toml -o out.vtk")), 2,
+                 "-o: the name must end with .vti or .vtu, found 'out.vtk'");
   if (!has_vtk) return;
   expect_refusal(run_batten(folder, words("solve p.toml -o o.vti --picture o.jpg")), 2, "--picture: the name must end");
   expect_refusal(run_batten(folder, words("solve p.toml -o o.vti --report p.toml")), 2, "would be overwritten");

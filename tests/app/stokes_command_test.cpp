@@ -76,6 +76,17 @@ TEST_F(SolvingFlows, give_the_flow_of_the_template) {
   EXPECT_NEAR(json["net_inflow"], 0, 1e-12);
 }
 
+TEST_F(SolvingFlows, write_the_same_as_quads) {
+  folder_.write("p.toml", problem_template("stokes"));
+  folder_.write("at.csv", "x,y\n0.5,0.5\n0.25,0.75\n");
+  for (const std::string file : {"o.vti", "o.vtu"}) {
+    expect_success(folder_, "solve p.toml -o " + file + " --quiet");
+    expect_success(folder_, "evaluate " + file + " --at at.csv -o " + file + ".csv --quiet");
+  }
+  EXPECT_EQ(folder_.read("o.vti.csv"), folder_.read("o.vtu.csv"));
+  EXPECT_THAT(folder_.read("o.vtu"), testing::HasSubstr("type=\"UnstructuredGrid\""));
+}
+
 TEST_F(SolvingFlows, are_refused_in_one_line_where_more_flows_in_than_out) {
   folder_.write("p.toml",
                 "problem = \"stokes\"\nx = [0, 2]\ny = [0, 1]\ncells = [16, 8]\n[sides]\nleft = {u = 0.1, v = "

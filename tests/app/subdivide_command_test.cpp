@@ -96,7 +96,9 @@ TEST(SubdivideCommand, says_what_cannot_be) {
   expect_failure(folder, "empty.csv -o a.csv" + bspline, 1, "a matrix of numbers is expected, the file is empty");
   expect_failure(folder, "grid.csv -o grid.csv" + bspline, 2, "is an input and would be overwritten");
   expect_failure(folder, "grid.csv -o a.obj" + bspline, 2, "the name must end with .vti or .csv, found 'a.obj'");
-  expect_failure(folder, "grid.csv -o a.csv --scheme spline", 2, "there is no scheme 'spline'; the schemes are");
+  expect_failure(folder, "grid.csv -o a.csv --scheme spline", 2,
+                 "--scheme: there is no scheme 'spline'; did you mean 'bspline'? The schemes are");
+  expect_failure(folder, "grid.csv -o a.csv --scheme slow-flwo", 2, "did you mean 'slow-flow'?");
   expect_failure(folder, "grid.csv -o a.csv --scheme polyharmonic --order 1 --method exact", 1,
                  "of the mask must sum to 1, found");
   expect_failure(folder, "grid.csv -o a.csv --scheme custom --mask 1/2,1,1/4,1/4", 1, "coset");

@@ -170,13 +170,13 @@ TEST(ImageFile, must_exist_to_be_read) {
   EXPECT_EQ(message_of<IoError>([] { read_record("/tmp"); }), "/tmp: is a folder, a file is expected");
 }
 
-TEST(ImageFile, must_be_vtk_image_data_to_be_read) {
+TEST(ImageFile, must_be_of_a_grid_to_be_read) {
   const TemporaryFolder folder;
   const auto message = [](const std::filesystem::path& path) {
     return message_of<InvalidInput>([&] { read_record(path); });
   };
-  EXPECT_THAT(message(folder.file("a.csv", "x,y\n1,2\n")), HasSubstr("a.csv: is not a VTK image file (.vti)"));
-  EXPECT_THAT(message(folder.file("empty.vti", "")), HasSubstr("empty.vti: is not a VTK image file (.vti)"));
+  EXPECT_THAT(message(folder.file("a.csv", "x,y\n1,2\n")), HasSubstr("a.csv: is neither a VTK image file (.vti) nor"));
+  EXPECT_THAT(message(folder.file("empty.vti", "")), HasSubstr("empty.vti: is neither a VTK image file (.vti) nor"));
 }
 
 TEST(ImageFile, must_be_written_by_batten_to_be_read) {

@@ -7,6 +7,7 @@
 #include <batten/io/picture.h>
 #include <batten/io/png.h>
 #include <batten/io/point_file.h>
+#include <batten/io/quad_file.h>
 #include <batten/tests/support/message_of.h>
 
 #include <gtest/gtest.h>
@@ -19,6 +20,8 @@ TEST(BuildWithoutVtk, says_what_it_cannot_do) {
             "a.vti: this build of Batten has no VTK and cannot write .vti files; write .csv");
   EXPECT_EQ(message_of<IoError>([] { read_record("a.vti"); }),
             "a.vti: this build of Batten has no VTK and cannot read .vti files");
+  EXPECT_EQ(message_of<IoError>([] { write_quads("a.vtu", {}, {}); }),
+            "a.vtu: this build of Batten has no VTK and cannot write .vtu files; write .csv");
   EXPECT_EQ(message_of<IoError>([] { write_points("a.vtp", {}); }),
             "a.vtp: this build of Batten has no VTK and cannot write .vtp files; write .csv");
   EXPECT_EQ(message_of<IoError>([] { write_picture("a.png", {}, {}, {}); }),
