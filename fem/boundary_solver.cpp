@@ -98,17 +98,18 @@ void BoundarySolve::iterate() {
     for (std::size_t i = 0; i < pull.size(); ++i) pull[i] = force_[i] + data.weights()[i] * miss[i];
     data.add_adjoint(pull, r);
     IterationLimits limits = options_.limits;
+    double missing = 1;  // relative size of what is solved for
     if (k > 0) {
       const double size = energy_size(multigrid, r);
-      iterations_.accuracy = size / std::sqrt(dot(v, system_->apply(v)));
-      if (iterations_.accuracy <= options_.limits.accuracy || size > before / 2) break;
+      iterations_.accuracy = missing = size / std::sqrt(dot(v, system_->apply(v)));
+      if (missing <= options_.limits.accuracy || size > before / 2) break;
       before = size;
       limits.accuracy = std::max(limits.accuracy, correction_accuracy);
     }
     Vector step(multigrid.size());
     const auto found = solve(multigrid, r, step, limits);
     iterations_.iterations += found.iterations;
-    iterations_.accuracy = found.accuracy;
+    iterations_.accuracy = missing * found.accuracy;
     if (k == 0)
       v = std::move(step);
     else

@@ -141,7 +141,7 @@ void Operator::part(int j, std::span<const double> c, double* out, bool precise)
   if (precise && by_differences_) return by_differences_->row(j, c.data(), out);
   if (!products_) {
     std::fill_n(out, columns(), 0.);
-    return stencil_.add_row(j, 1, c, out);
+    return precise ? stencil_.add_precise_row(j, 1, c, out) : stencil_.add_row(j, 1, c, out);
   }
   products_->row(j, c.data(), out);
   if (end_rows_ && std::min(j, rows() - 1 - j) <= 1) add_row(*end_rows_, j, c, out);

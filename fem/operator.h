@@ -36,9 +36,9 @@ public:
   /// Row j of E c: writes columns() numbers to `out`. One thread.
   void row(int j, std::span<const double> c, double* out) const { folded_row(j, c, out, false); }
   /// The same by differences first where derivatives are of third order, whose sums of products would drown what is
-  /// smooth in rounding, ε / h^6: for residuals and the products of conjugate gradients.
+  /// smooth in rounding, ε / h^6, and where coefficients vary: for residuals and the products of conjugate gradients.
   void precise_row(int j, std::span<const double> c, double* out) const { folded_row(j, c, out, true); }
-  /// True if precise_row goes by differences.
+  /// True if precise_row goes by differences of as high an order as the derivatives.
   bool is_by_differences() const { return by_differences_.has_value(); }
   /// The same for some columns, where the rows of c need not lie one after another: c[q] is row first_row(j) + q, and
   /// out[0] belongs to column columns.begin. Of constant coefficients, on spaces that are not periodic.

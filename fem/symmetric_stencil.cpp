@@ -1,29 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/blocks.h>
+#include <batten/bases/constant_width.h>
 #include <batten/domains/errors.h>
 #include <batten/fem/symmetric_stencil.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
 namespace batten {
 namespace {
 
-/// `width` entries of one row of the matrix and the inputs they meet: out[i] += factor Σ_q entry[q step + i] in[q + i].
+/// Columns first .. first + width - 1 of the matrix beside the diagonal, and the inputs they meet: out[i] += factor Σ_q
+/// entry[q step + i] in[q + i], or in[q + i] - centre[i] where there is a centre.
 struct RowTerms {
+  int first, width;
   const double* entry;
   std::ptrdiff_t step;
   const double* in;
+  const double* centre;
 };
 
-template <int width>
-[[gnu::always_inline]] inline void add_terms_of(RowTerms terms, double factor, double* __restrict out,
+template <int width, bool has_centre>
+[[gnu::always_inline]] inline void add_terms_of(const RowTerms& terms, double factor, double* __restrict out,
                                                 std::ptrdiff_t begin, std::ptrdiff_t end) {
 #pragma omp simd
   for (std::ptrdiff_t i = begin; i < end; ++i) {
     double sum = 0;
-    for (int q = 0; q < width; ++q) sum += terms.entry[q * terms.step + i] * terms.in[q + i];
+    for (int q = 0; q < width; ++q)
+      sum += terms.entry[q * terms.step + i] * (has_centre ? terms.in[q + i] - terms.centre[i] : terms.in[q + i]);
     out[i] += factor * sum;
   }
 }
@@ -31,40 +37,25 @@ template <int width>
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
-void add_terms(int width, RowTerms terms, double factor, double* out, std::ptrdiff_t begin, std::ptrdiff_t end) {
-  switch (width) {
-    case 1:
-      return add_terms_of<1>(terms, factor, out, begin, end);
-    case 2:
-      return add_terms_of<2>(terms, factor, out, begin, end);
-    case 3:
-      return add_terms_of<3>(terms, factor, out, begin, end);
-    case 4:
-      return add_terms_of<4>(terms, factor, out, begin, end);
-    case 5:
-      return add_terms_of<5>(terms, factor, out, begin, end);
-    case 6:
-      return add_terms_of<6>(terms, factor, out, begin, end);
-    case 7:
-      return add_terms_of<7>(terms, factor, out, begin, end);
-    case 9:
-      return add_terms_of<9>(terms, factor, out, begin, end);
-    default:
-      return add_terms_of<11>(terms, factor, out, begin, end);
-  }
+void add_terms(const RowTerms& terms, double factor, double* out, std::ptrdiff_t begin, std::ptrdiff_t end) {
+  with_constant<1, 11>(terms.width, [&](auto width) [[gnu::always_inline]] {
+    if (terms.centre) return add_terms_of<width, true>(terms, factor, out, begin, end);
+    add_terms_of<width, false>(terms, factor, out, begin, end);
+  });
 }
 
 /// Columns begin .. end - 1 meet all of their terms; the few at both ends lack some.
-void add_bounded(int width, RowTerms terms, double factor, double* out, int first, int columns) {
+void add_bounded(const RowTerms& terms, double factor, double* out, int columns) {
+  const auto& [first, width, entry, step, in, centre] = terms;
   const int begin = std::min(columns, std::max(0, -first));
   const int end = std::clamp(columns - (first + width - 1), begin, columns);
   for (int i = 0; i < columns; ++i) {
     if (i == begin) i = end;  // the middle is left to the kernel
     for (int q = 0; q < width && i < columns; ++q)
       if (i + first + q >= 0 && i + first + q < columns)
-        out[i] += factor * terms.entry[q * terms.step + i] * terms.in[q + i];
+        out[i] += factor * entry[q * step + i] * (in[q + i] - (centre ? centre[i] : 0));
   }
-  if (begin < end) add_terms(width, terms, factor, out, begin, end);
+  if (begin < end) add_terms(terms, factor, out, begin, end);
 }
 
 /// Entries of A (I ⊗ X^T) between row j of A and row j + dy: [dx + degree][coarse column].
@@ -109,6 +100,18 @@ void add_rows(HalfProduct& half, int p, int q, double weight, SymmetricStencil& 
   }
 }
 
+/// R 1 for a refinement given by its transpose, exactly 1 where R keeps constants.
+std::vector<double> refined_ones(const BandedRows& restriction) {
+  std::vector<double> result(static_cast<std::size_t>(restriction.columns));
+  for (int i = 0; i < restriction.rows; ++i)
+    for (int q = 0; q < restriction.width; ++q)
+      result[static_cast<std::size_t>(restriction.first[static_cast<std::size_t>(i)] + q)] +=
+          restriction.scale * restriction.row(i)[static_cast<std::size_t>(q)];
+  for (double& v : result)
+    if (std::abs(v - 1) < 1e-12) v = 1;  // rounding would bring back what row sums avoid
+  return result;
+}
+
 }  // namespace
 
 SymmetricStencil::SymmetricStencil(int rows, int columns, int degree)
@@ -118,20 +121,38 @@ SymmetricStencil::SymmetricStencil(int rows, int columns, int degree)
   values_.assign(static_cast<std::size_t>(rows) * planes() * static_cast<std::size_t>(columns), 0.);
 }
 
-void SymmetricStencil::add_row(int j, double factor, std::span<const double> c, double* out) const {
+/// Calls add(terms) for row j of the matrix, entry row by entry row.
+template <typename Add>
+void SymmetricStencil::for_terms(int j, std::span<const double> c, Add&& add) const {
   const int d = degree_, width = 2 * d + 1;
   const std::ptrdiff_t n = columns_;
   for (int dy = std::max(-d, -j); dy <= std::min(d, rows_ - 1 - j); ++dy) {
     const double* in = c.data() + (j + dy) * n;
     if (dy > 0) {
-      add_bounded(width, {values_.data() + at(j, -d, dy), n, in - d}, factor, out, -d, columns_);
+      add(RowTerms{-d, width, values_.data() + at(j, -d, dy), n, in - d, nullptr});
     } else if (dy < 0) {  // entry (dx, dy) of (i, j) is entry (-dx, -dy) of (i + dx, j + dy)
-      add_bounded(width, {values_.data() + at(j + dy, d, -dy) - d, 1 - n, in - d}, factor, out, -d, columns_);
+      add(RowTerms{-d, width, values_.data() + at(j + dy, d, -dy) - d, 1 - n, in - d, nullptr});
     } else {
-      add_bounded(d + 1, {values_.data() + at(j, 0, 0), n, in}, factor, out, 0, columns_);
-      add_bounded(d, {values_.data() + at(j, d, 0) - d, 1 - n, in - d}, factor, out, -d, columns_);
+      add(RowTerms{0, d + 1, values_.data() + at(j, 0, 0), n, in, nullptr});
+      add(RowTerms{-d, d, values_.data() + at(j, d, 0) - d, 1 - n, in - d, nullptr});
     }
   }
+}
+
+void SymmetricStencil::add_row(int j, double factor, std::span<const double> c, double* out) const {
+  for_terms(j, c, [&](const RowTerms& terms) { add_bounded(terms, factor, out, columns_); });
+}
+
+void SymmetricStencil::add_precise_row(int j, double factor, std::span<const double> c, double* out) const {
+  if (row_sums_.empty()) return add_row(j, factor, c, out);
+  const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(j) * columns_;
+  const double *centre = c.data() + begin, *sums = row_sums_.data() + begin;
+  for_terms(j, c, [&](RowTerms terms) {
+    terms.centre = centre;
+    add_bounded(terms, factor, out, columns_);
+  });
+#pragma omp simd
+  for (int i = 0; i < columns_; ++i) out[i] += factor * sums[i] * centre[i];
 }
 
 void SymmetricStencil::add_product(double factor, std::span<const double> c, std::span<double> out) const {
@@ -176,6 +197,21 @@ SymmetricStencil SymmetricStencil::galerkin(const TensorSum& restriction) const 
             if (weight != 0 && std::abs(row - partner) <= degree_) add_rows(half, row, partner, weight, result, j, dy);
           }
   });
+  if (!row_sums_.empty()) result.set_row_sums(galerkin_row_sums(restriction));
+  return result;
+}
+
+/// R^T A R 1 = R^T (A 1 - A (1 - R 1)). Inside, R keeps constants.
+std::vector<double> SymmetricStencil::galerkin_row_sums(const TensorSum& restriction) const {
+  const auto& [factor, y, x] = restriction.terms().front();
+  const auto of_y = refined_ones(y), of_x = refined_ones(x);
+  std::vector<double> sums = row_sums_, missing;
+  missing.reserve(sums.size());
+  for (const double v : of_y)
+    for (const double u : of_x) missing.push_back(1 - factor * v * u);
+  add_product(-1, missing, sums);
+  std::vector<double> result(static_cast<std::size_t>(y.rows) * static_cast<std::size_t>(x.rows));
+  restriction.apply(sums, result);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace batten {
 namespace {
@@ -27,7 +28,12 @@ struct BadValue {
 class Assembly {
 public:
   Assembly(const std::vector<VaryingTerm>& terms, const SplineBasis& x, const SplineBasis& y, SymmetricStencil& result)
-      : terms_(terms), x_(x, x.degree() + 1), y_(y, y.degree() + 1), n_(x.degree() + 1), result_(result) {}
+      : terms_(terms),
+        x_(x, x.degree() + 1),
+        y_(y, y.degree() + 1),
+        n_(x.degree() + 1),
+        result_(result),
+        row_sums_(static_cast<std::size_t>(x.size()) * static_cast<std::size_t>(y.size())) {}
 
   /// Adds the cells of one row. A coefficient's value that is out of range is noted.
   void add_row(int cy) {
@@ -37,15 +43,19 @@ public:
     for (int qy = 0; qy < y_.points(); ++qy) {
       evaluate(cy, qy, coefficient);
       for (std::size_t t = 0; t < terms_.size(); ++t)
-        for (int cx = 0; cx < x_.cells(); ++cx)
-          add_cell(terms_[t], cx, cy, qy, coefficient.data() + t * points + static_cast<std::size_t>(cx * x_.points()),
-                   local.data() + static_cast<std::size_t>(cx * n_ * n_ * n_ * n_));
+        for (int cx = 0; cx < x_.cells(); ++cx) {
+          const double* here = coefficient.data() + t * points + static_cast<std::size_t>(cx * x_.points());
+          add_cell(terms_[t], cx, cy, qy, here, local.data() + static_cast<std::size_t>(cx * n_ * n_ * n_ * n_));
+          if (terms_[t].right.x == 0 && terms_[t].right.y == 0) add_row_sums(terms_[t], cx, cy, qy, here);
+        }
     }
     for (int cx = 0; cx < x_.cells(); ++cx)
       scatter(cx, cy, local.data() + static_cast<std::size_t>(cx * n_ * n_ * n_ * n_));
   }
 
   const std::optional<BadValue>& bad_value() const { return bad_; }
+  /// Row sums of the matrix, Σ_k a(N_i, N_k) = a(N_i, 1).
+  std::vector<double> row_sums() && { return std::move(row_sums_); }
 
 private:
   /// Coefficients times the weights of the points.
@@ -93,6 +103,18 @@ private:
       }
   }
 
+  /// factor κ N_i^(left) for the Gauss points of one line: derivatives on the right vanish for p = 1.
+  void add_row_sums(const VaryingTerm& term, int cx, int cy, int qy, const double* coefficient) {
+    const double* left_y = y_.values(cy, qy, term.left.y);
+    for (int qx = 0; qx < x_.points(); ++qx) {
+      const double* left_x = x_.values(cx, qx, term.left.x);
+      for (int b = 0; b < n_; ++b)
+        for (int a = 0; a < n_; ++a)
+          row_sums_[static_cast<std::size_t>(cy + b) * static_cast<std::size_t>(result_.columns()) +
+                    static_cast<std::size_t>(cx + a)] += term.factor * coefficient[qx] * left_x[a] * left_y[b];
+    }
+  }
+
   void scatter(int cx, int cy, const double* local) {
     for (int b = 0; b < n_; ++b)
       for (int f = b; f < n_; ++f)
@@ -106,6 +128,7 @@ private:
   CellQuadrature x_, y_;
   int n_;
   SymmetricStencil& result_;
+  std::vector<double> row_sums_;
   std::mutex mutex_;
   std::optional<BadValue> bad_;
 };
@@ -160,6 +183,7 @@ SymmetricStencil varying_stencil(const std::vector<VaryingTerm>& terms, const Re
                        (terms[bad->term].may_vanish ? " >= 0" : " > 0") + " everywhere, found " +
                        number_text(bad->value, 6) + " at (" + number_text(bad->x, 6) + ", " + number_text(bad->y, 6) +
                        ")");
+  result.set_row_sums(std::move(assembly).row_sums());
   return result;
 }
 

@@ -26,8 +26,8 @@ struct VaryingTerm {
 std::vector<VaryingTerm> energy_terms(const BoundaryProblem& problem);
 
 /// E of Σ_t factor_t ∫∫ κ_t (...)(...) on all splines of a degree over the rectangle's cells, integrated once by
-/// degree + 1 Gauss points in each cell and direction. Throws InvalidInput where a coefficient is not finite or not
-/// positive at such a point, naming it.
+/// degree + 1 Gauss points in each cell and direction, with its row sums. Throws InvalidInput where a coefficient is
+/// not finite or not positive at such a point, naming it.
 SymmetricStencil varying_stencil(const std::vector<VaryingTerm>& terms, const Rectangle& region, int degree);
 
 }  // namespace batten

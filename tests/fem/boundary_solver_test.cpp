@@ -333,6 +333,31 @@ TEST(BoundarySolver, needs_few_iterations_at_every_size_for_a_checkerboard_of_co
     }
 }
 
+TEST(BoundarySolver, keeps_the_digits_of_stored_matrices_on_fine_grids) {
+  const Field field(
+      [](double x, double y) { return (static_cast<int>(8 * x) + static_cast<int>(8 * y)) % 2 ? 1e3 : 1.; });
+  auto problem = plate(256, 3, Side::clamped());
+  problem.material = KirchhoffPlate{field};
+  const auto jumps = solve_boundary_problem(problem, {.limits = {.accuracy = 1e-11}});
+  EXPECT_LE(jumps.accuracy, 1e-11);
+  EXPECT_NEAR(jumps.energy / jumps.compliance, 1, 5e-12);  // a(u, u) = b·u; sums of entries leave 1e-10
+  problem = plate(256, 3, Side::simply_supported());
+  const double constant = solve_boundary_problem(problem).compliance;
+  problem.material = KirchhoffPlate{Field([](double, double) { return 1.; })};
+  EXPECT_NEAR(solve_boundary_problem(problem).compliance / constant, 1, 1e-11);
+}
+
+TEST(BoundarySolver, reaches_the_asked_accuracy_for_free_plates_of_high_degree) {
+  for (int degree : {4, 5}) {
+    auto problem = plate(64, degree, Side::free());
+    std::get<KirchhoffPlate>(problem.material).foundation = 1.;
+    problem.loads.area = Field([](double x, double y) { return x * y + (x > 0.3 ? 1 : 0); });
+    const auto result = solve_boundary_problem(problem);
+    EXPECT_LE(result.accuracy, 1e-10) << degree;
+    EXPECT_LE(result.iterations, 30) << degree;
+  }
+}
+
 std::string refusal(const BoundaryProblem& problem) {
   return message_of<InvalidInput>([&] { solve_boundary_problem(problem); });
 }
