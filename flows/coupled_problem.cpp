@@ -31,7 +31,7 @@ std::span<double> second(std::span<double> c) { return c.last(c.size() / 2); }
 
 constexpr double unseen_part = 1e-9;  // of what the data see best
 
-// Measured: twice as many cells save no iterations.
+// Measured with 8 cells: 27 iterations for λ = 1e-6, 96 for 1e-8, where 32 cells need 18.
 constexpr double cells_per_length = 0.3;  // of λ^1/4, over the longer side
 constexpr double cells_per_distance = 2;  // of the data
 constexpr std::size_t largest_level = 80 * 80;
