@@ -107,8 +107,6 @@ void check_arguments(const FlowArguments& arguments) {
   const FlowModel model = model_of(arguments);
   if (arguments.ratio && model != FlowModel::General)
     throw UsageError("--ratio belongs to --model general, found --model " + arguments.model);
-  if (arguments.smoothing.tolerance && model == FlowModel::General)
-    throw UsageError("--tolerance belongs to the models smooth, slow and irrotational, found --model general");
   const bool are_traced = arguments.streamlines || !arguments.seeds.empty();
   if (!arguments.streamlines_out.empty() && !are_traced)
     throw UsageError("--streamlines-out: say which streamlines, with --streamlines N or --seeds POINTS.csv");
@@ -119,14 +117,13 @@ void check_arguments(const FlowArguments& arguments) {
     throw UsageError("--parameter is for the points of --streamlines-out OUT.vtp, which is missing");
   check_arguments(arguments.grid);
   const FlowSides sides = sides_of(arguments.sides);
-  if (model == FlowModel::General && !sides.are_free())
-    throw UsageError(
-        "--model general has free sides; walls and periodic sides belong to smooth, slow and irrotational");
+  if (model == FlowModel::General && sides.have(FlowSide::NoSlip) && !sides.have(FlowSide::Free))
+    throw UsageError("--model general: expected a free side beside those of --no-slip, found none; take --walls");
   if (arguments.geographic && sides.bottom == FlowSide::Periodic)
     throw UsageError("--geographic: longitudes go around, latitudes do not; expected --periodic x, found --periodic " +
                      arguments.sides.periodic);
   if (model == FlowModel::Irrotational && arguments.sides.no_slip != "none")
-    throw UsageError("--no-slip belongs to the models smooth and slow, found --model irrotational");
+    throw UsageError("--no-slip belongs to the models smooth, slow and general, found --model irrotational");
   smoothing_of(arguments.smoothing);
 }
 

@@ -25,7 +25,9 @@ close to the vectors as the grid allows. --tolerance E keeps u and v within E.
 
 Sides are free unless --walls, --no-slip or --periodic say more. psi is constant
 on walls that are connected; the flux between two that are not, and the mean flow
-along a periodic direction, are found by the fit and reported.
+along a periodic direction, are found by the fit and reported: of general, whose
+flow changes from section to section, as means. general with --no-slip needs a
+free side.
 
 --geographic: x is the longitude and y the latitude, on a sphere of 6371 km;
 

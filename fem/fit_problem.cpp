@@ -162,6 +162,11 @@ FitProblem::FitProblem(const FitData& data, const Rectangle& region, const FitOp
   weight_ = reordered(data.weight, order_);
 }
 
+SplineSpace FitProblem::whole_space() const {
+  const SplineSpace& space = hierarchy_.finest().space;
+  return {space.x.unconstrained(), space.y.unconstrained(), space.hx, space.hy};
+}
+
 std::vector<double> FitProblem::right_side(std::span<const double> weights, std::span<const double> values) const {
   std::vector<double> weighted(size()), b(system_.size());
   for (std::size_t i = 0; i < size(); ++i) weighted[i] = weights[i] * values[i];

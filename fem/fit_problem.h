@@ -48,15 +48,21 @@ public:
   Multigrid& system() { return system_; }
   const Multigrid& system() const { return system_; }
   const GridPoints& points() const { return points_; }  ///< ordered by cell
+  /// All splines of the finest level, without conditions at its sides.
+  SplineSpace whole_space() const;
 
   const Rectangle& region() const override { return hierarchy_.region(); }
   std::size_t unknowns() const override { return system_.size(); }
   const std::vector<double>& value() const override { return value_; }
   const std::vector<double>& weight() const override { return weight_; }
   const std::vector<std::size_t>& order() const override { return order_; }
-  void set(double lambda) override { system_.set(lambda, weight_); }
+  using PenalisedProblem::set;
+  void set(double lambda, std::span<const double> weights) override { system_.set(lambda, weights); }
   bool can_predict() const override { return system_.can_predict(); }
   double apply(std::span<const double> c, std::span<double> out) const override { return system_.apply(c, out); }
+  void apply_energy(std::span<const double> c, std::span<double> out) const override {
+    hierarchy_.finest().energy.apply(c, out);
+  }
   IterationResult solve(std::span<const double> b, std::span<double> c, const IterationLimits& limits,
                         double scale) const override {
     return batten::solve(system_, b, c, limits, scale);

@@ -15,10 +15,10 @@ double largest(std::span<const double> values) {
 
 }  // namespace
 
-ScaledFit interpolate(PenalisedProblem& problem, const FitOptions& options, double lambda) {
+ScaledFit interpolate(PenalisedProblem& problem, const FitOptions& options) {
   constexpr int most_steps = 12;
   constexpr double goal = 1e-10;
-  ScaledFit fit{std::vector<double>(problem.unknowns()), lambda, 0, 0};
+  ScaledFit fit{std::vector<double>(problem.unknowns()), interpolation_lambda, 0, 0};
   problem.set(fit.lambda);
   auto residual = problem.residuals(fit.coefficients);
   double before = largest(residual);
@@ -51,7 +51,7 @@ double largest_share(std::span<const double> values, std::span<const double> uni
 /// One problem of the method of multipliers: minimise λ E(p) + Σ w_i dist(p(x_i) + u_i, [z_i - t_i, z_i + t_i])².
 class BoxProblem {
 public:
-  BoxProblem(FitProblem& problem, std::span<const double> tolerances, const FitOptions& options)
+  BoxProblem(PenalisedProblem& problem, std::span<const double> tolerances, const FitOptions& options)
       : problem_(problem),
         tolerances_(tolerances.begin(), tolerances.end()),
         options_(options),
@@ -101,19 +101,18 @@ private:
 
   /// c += minimiser of λ E(c + s) + Σ weight (s(x_i) - target_i)²
   void step(std::span<const double> weight, std::span<const double> target, ScaledFit& fit) {
-    auto& system = problem_.system();
-    system.set(interpolation_lambda, weight);
+    problem_.set(interpolation_lambda, weight);
     auto b = problem_.right_side(weight, target);
     std::vector<double> energy(b.size()), s(b.size());
-    problem_.hierarchy().finest().energy.apply(fit.coefficients, energy);
+    problem_.apply_energy(fit.coefficients, energy);
     for (std::size_t i = 0; i < b.size(); ++i) b[i] -= interpolation_lambda * energy[i];
-    const auto result = solve(system, b, s, options_.limits);
+    const auto result = problem_.solve(b, s, options_.limits, 0);
     fit.iterations += result.iterations;
     fit.accuracy = result.accuracy;
     for (std::size_t i = 0; i < s.size(); ++i) fit.coefficients[i] += s[i];
   }
 
-  FitProblem& problem_;
+  PenalisedProblem& problem_;
   std::vector<double> tolerances_;
   const FitOptions& options_;
   std::vector<double> multiplier_;
@@ -122,9 +121,9 @@ private:
 
 }  // namespace
 
-ScaledFit interpolate_within(FitProblem& problem, std::span<const double> tolerances, const FitOptions& options) {
+ScaledFit interpolate_within(PenalisedProblem& problem, std::span<const double> tolerances, const FitOptions& options) {
   constexpr int most_steps = 12;
-  ScaledFit fit{std::vector<double>(problem.system().size()), interpolation_lambda, 0, 0};
+  ScaledFit fit{std::vector<double>(problem.unknowns()), interpolation_lambda, 0, 0};
   if (largest_share(problem.value(), tolerances) <= 1) return fit;  // the null element will do and has no energy
   BoxProblem box(problem, tolerances, options);
   double before = INFINITY;

@@ -23,12 +23,15 @@ public:
   virtual const std::vector<std::size_t>& order() const = 0;  ///< index of each measurement as it was given
   std::size_t size() const { return value().size(); }
 
-  /// A = λ E + B^T W B from now on.
-  virtual void set(double lambda) = 0;
+  /// A = λ E + B^T W B from now on, with weights of one's own, all positive, or those of the data.
+  virtual void set(double lambda, std::span<const double> weights) = 0;
+  void set(double lambda) { set(lambda, weight()); }
   /// As Multigrid::can_predict.
   virtual bool can_predict() const = 0;
   /// out = A c. Returns c · A c.
   virtual double apply(std::span<const double> c, std::span<double> out) const = 0;
+  /// out = E c
+  virtual void apply_energy(std::span<const double> c, std::span<double> out) const = 0;
   /// Solves A c = b from the start c; `scale` as of batten::solve.
   virtual IterationResult solve(std::span<const double> b, std::span<double> c, const IterationLimits& limits,
                                 double scale) const = 0;

@@ -8,6 +8,8 @@
 #include <batten/flows/divergence_share.h>
 #include <batten/flows/extended_problem.h>
 #include <batten/flows/flow_data.h>
+#include <batten/flows/mean_velocity.h>
+#include <batten/flows/quadratic_pairs.h>
 
 #include <Eigen/Dense>
 
@@ -29,13 +31,6 @@ Smoothing checked(const FlowOptions& options) {
   const bool is_general = options.model == FlowModel::General;
   if (is_general && !(options.ratio > 0 && std::isfinite(options.ratio)))
     throw InvalidInput("fit_flow: expected a positive ratio of energies, found " + number_text(options.ratio, 6));
-  if (is_general && s.kind == Smoothing::Kind::Tolerance)
-    throw InvalidInput("fit_flow: the model general knows no tolerance; smooth, slow and irrotational do");
-  if (is_general && !options.sides.are_free())
-    throw InvalidInput(
-        "fit_flow: the model general knows neither walls nor periodic sides; smooth, slow and irrotational do");
-  if (s.kind == Smoothing::Kind::Tolerance && !side_functions(options.sides, is_potential(options.model)).empty())
-    throw InvalidInput("fit_flow: expected no tolerance where the flux between walls or a mean flow is to be found");
   if (s.kind == Smoothing::Kind::Fixed && !(s.value >= 0 && std::isfinite(s.value)))
     throw InvalidInput("fit_flow: expected a smoothing that is not negative, found " + number_text(s.value, 6));
   if (s.kind == Smoothing::Kind::Tolerance && !(s.value > 0 && std::isfinite(s.value)))
@@ -66,21 +61,16 @@ ScaledFit solve_automatic(PenalisedProblem& problem, const FitOptions& options, 
                [&] { return solve_fixed(problem, found.lambda, options, std::move(found.start)); });
 }
 
-/// The coupled system of General converges the slower the smaller λ is: more steps of multipliers cost less.
-constexpr double coupled_interpolation_lambda = 1e-8;
-
 ScaledFit solve_none(PenalisedProblem& problem, const FitOptions& options, FlowResult& result) {
-  const bool is_general = result.field.stream() && result.field.potential();
-  const double lambda = is_general ? coupled_interpolation_lambda : interpolation_lambda;
   if (options.energy.order() < 3)
     result.notes.push_back(
         "model slow without smoothing: point velocities are not bounded by its energy, each point gets a spike that "
         "grows with the logarithm of the cell size; consider the model smooth");
-  if (problem.size() <= problem.unknowns()) return interpolate(problem, options, lambda);
+  if (problem.size() <= problem.unknowns()) return interpolate(problem, options);
   result.notes.push_back("no smoothing: " + std::to_string(problem.size()) + " components of velocities outnumber " +
-                         std::to_string(problem.unknowns()) + " coefficients, lambda = " + number_text(lambda, 6) +
-                         " is used");
-  return solve_fixed(problem, lambda, options);
+                         std::to_string(problem.unknowns()) +
+                         " coefficients, lambda = " + number_text(interpolation_lambda, 6) + " is used");
+  return solve_fixed(problem, interpolation_lambda, options);
 }
 
 ScaledFit solve_for(const Smoothing& smoothing, PenalisedProblem& problem, const FlowData& data,
@@ -93,14 +83,14 @@ ScaledFit solve_for(const Smoothing& smoothing, PenalisedProblem& problem, const
       return solved([&] { return solve_fixed(problem, smoothing.value, options); });
     case Smoothing::Kind::None:
       return solved([&] { return solve_none(problem, options, result); });
-    default:  // not of General
+    default:
       return solved([&] {
         std::vector<double> tolerances;
         for (const std::size_t row : problem.order()) {
           const double factor = data.rows.kind[row] == Measured::SlopeX ? data.stretch[row] : 1;
           tolerances.push_back(factor * smoothing.value / data.rows.scale);
         }
-        return interpolate_within(dynamic_cast<FitProblem&>(problem), tolerances, options);
+        return interpolate_within(problem, tolerances, options);
       });
   }
 }
@@ -127,34 +117,33 @@ Solution in_units(std::span<const double> scaled, double scale, const QuadraticF
   return with_zero_mean(grid.region, space.x.degree(), std::move(c));
 }
 
-/// The same field, where φ is orthogonal to the gradients of harmonic quadratics: those are rotations as well.
-FlowField given_to_stream(const FlowField& field, const SplineSpace& space, const QuadraticFunction& frame) {
-  const auto& pairs = harmonic_pairs;
-  const auto spline = [&](const std::array<double, 6>& c) {
+/// The same field, where φ is orthogonal to the gradients that are rotations as well and cost nothing.
+FlowField given_to_stream(const FlowField& field, const SplineSpace& space, const FlowSides& sides) {
+  const auto pairs = exchangeable_pairs(field.region(), sides);
+  const auto spline = [&](const QuadraticFunction& q) {
     std::vector<double> coefficients(space.size());
-    QuadraticFunction{c, frame.x0, frame.y0, frame.length}.add_to(space, coefficients);
+    q.add_to(space, coefficients);
     return Solution(field.region(), field.degree(), std::move(coefficients));
   };
-  Eigen::Matrix4d gram;
-  Eigen::Vector4d right;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const FlowField one({}, spline(pairs[i].phi));
-    right[static_cast<Eigen::Index>(i)] = inner_product(one, FlowField({}, field.potential()));
-    for (std::size_t j = 0; j < 4; ++j)
-      gram(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          inner_product(one, FlowField({}, spline(pairs[j].phi)));
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  Eigen::MatrixXd gram(count, count);
+  Eigen::VectorXd right(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const FlowField one({}, spline(pairs[static_cast<std::size_t>(i)].phi));
+    right[i] = inner_product(one, FlowField({}, field.potential()));
+    for (Eigen::Index j = 0; j < count; ++j)
+      gram(i, j) = inner_product(one, FlowField({}, spline(pairs[static_cast<std::size_t>(j)].phi)));
   }
-  const Eigen::Vector4d amount = gram.ldlt().solve(right);
-  const auto moved = [&](const Solution& p, double sign, std::array<double, 6> HarmonicPair::*part) {
+  const Eigen::VectorXd amount = gram.ldlt().solve(right);
+  const auto moved = [&](const Solution& p, QuadraticFunction QuadraticPair::*part) {
     std::vector<double> c(p.coefficients().begin(), p.coefficients().end());
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Solution more = spline(pairs[i].*part);
-      for (std::size_t k = 0; k < c.size(); ++k)
-        c[k] += sign * amount[static_cast<Eigen::Index>(i)] * more.coefficients()[k];
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const Solution less = spline(pairs[i].*part);
+      for (std::size_t k = 0; k < c.size(); ++k) c[k] -= amount[static_cast<Eigen::Index>(i)] * less.coefficients()[k];
     }
     return with_zero_mean(field.region(), field.degree(), std::move(c));
   };
-  return FlowField(moved(*field.stream(), 1, &HarmonicPair::psi), moved(*field.potential(), -1, &HarmonicPair::phi));
+  return FlowField(moved(*field.stream(), &QuadraticPair::psi), moved(*field.potential(), &QuadraticPair::phi));
 }
 
 FlowField field_of(const FlowOptions& options, const ScaledFit& fit, const FlowData& data, const SplineSpace& space,
@@ -167,7 +156,7 @@ FlowField field_of(const FlowOptions& options, const ScaledFit& fit, const FlowD
   if (options.model != FlowModel::General) return FlowField(std::move(part), {}, grid.geometry);
   FlowField field(std::move(part), in_units(c.last(space.size()), scale, data.null_potential, space, grid),
                   grid.geometry);
-  return options.geographic ? field : given_to_stream(field, space, data.null_element);
+  return options.geographic ? field : given_to_stream(field, space, options.sides);
 }
 
 /// Residuals and fitted velocities in the units of the observations.
@@ -210,12 +199,24 @@ bool within(const VectorObservations& o, double tolerance, const FlowResult& res
 std::unique_ptr<PenalisedProblem> make_problem(const FlowData& data, const Rectangle& region,
                                                const FlowOptions& options) {
   const FitOptions scalar = scalar_options(options, region);
-  if (options.model == FlowModel::General) return std::make_unique<CoupledProblem>(data, region, scalar, options);
-  const bool potential = is_potential(options.model);
-  const SpaceEnds ends = side_conditions(options.sides, potential);
-  const auto functions = side_functions(options.sides, potential);
-  if (functions.empty()) return std::make_unique<FitProblem>(data.rows, region, scalar, ends);
-  return std::make_unique<ExtendedProblem>(data.rows, region, scalar, ends, functions);
+  std::unique_ptr<PenalisedProblem> problem;
+  std::vector<ExtraFunction> functions;
+  if (options.model == FlowModel::General) {
+    auto both = std::make_unique<CoupledProblem>(data, region, scalar, options);
+    for (const bool is_potential : {false, true})
+      for (const SideFunction& f : side_functions(options.sides, {is_potential, true}))
+        functions.push_back(both->extra_function(f, is_potential));
+    problem = std::move(both);
+  } else {
+    const FlowPart part{is_potential(options.model), false};
+    auto one = std::make_unique<FitProblem>(data.rows, region, scalar, side_conditions(options.sides, part));
+    for (const SideFunction& f : side_functions(options.sides, part)) functions.push_back(extra_function(f, *one));
+    problem = std::move(one);
+  }
+  if (functions.empty()) return problem;
+  return std::make_unique<ExtendedProblem>(
+      std::move(problem), std::move(functions), options.limits,
+      [&data, options](const Rectangle& grid) { return make_problem(data, grid, options); });
 }
 
 /// Of the scaled coefficients, which differ from the splines by what has no energy.
@@ -242,7 +243,7 @@ void measure_sides(const FlowOptions& options, FlowResult& result) {
   const Solution& p = potential ? *result.field.potential() : *result.field.stream();
   const double low = p.value(x.lower(), y.lower());
   const double across = p.value(x.upper(), y.lower()) - low, upwards = p.value(x.lower(), y.upper()) - low;
-  for (const SideFunction& f : side_functions(options.sides, potential)) {
+  for (const SideFunction& f : side_functions(options.sides, {potential, false})) {
     const bool is_x = f.along == SideFunction::Along::X;
     const double difference = is_x ? across : upwards;
     if ((is_x ? options.sides.left : options.sides.bottom) == FlowSide::Periodic)
@@ -251,6 +252,36 @@ void measure_sides(const FlowOptions& options, FlowResult& result) {
     else
       result.flux = is_x ? -difference : difference;
   }
+  if (options.model != FlowModel::General) return;
+  const auto mean = mean_velocity(result.field);  // both ψ and φ may hold it
+  const bool is_channel = is_wall(options.sides.bottom);
+  if (result.flux) result.flux = is_channel ? mean.u * y.length() * unit_y : mean.v * x.length() * unit_x;
+  result.mean_u = result.mean_v = std::nullopt;
+  if (!options.sides.have(FlowSide::Periodic)) return;
+  result.mean_u = mean.u;
+  result.mean_v = mean.v;
+}
+
+constexpr double missed_by_interpolation = 1e-8;  // of the range of velocities: a hundred times what it aims at
+
+double largest_of(const std::vector<double>& values) {
+  double result = 0;
+  for (const double v : values) result = std::max(result, std::abs(v));
+  return result;
+}
+
+/// What the user should know of how far the fit got.
+void add_notes(const Smoothing& smoothing, const FlowOptions& options, bool is_missed, FlowResult& result) {
+  if (result.points_merged > 0)
+    result.notes.push_back(std::to_string(result.points_merged) + " observations were averaged into coincident ones");
+  if (result.accuracy > 1e3 * options.limits.accuracy)
+    result.notes.push_back("the solver stopped after " + std::to_string(result.iterations) +
+                           " iterations at an estimated relative error of " + number_text(result.accuracy, 2) +
+                           " in the energy norm");
+  if (smoothing.kind == Smoothing::Kind::None && is_missed)
+    result.notes.push_back("no smoothing: the field misses the vectors by up to " +
+                           number_text(result.largest_residual, 2) +
+                           "; more cells, or vectors that are farther apart, would let it go through them");
 }
 
 }  // namespace
@@ -268,12 +299,11 @@ FlowResult fit_flow(const VectorObservations& observations, const Rectangle& reg
   FlowResult result{.field = field_of(options, {std::vector<double>(problem->unknowns())}, data, space, region)};
   result.seconds = std::move(seconds);
   ScaledFit fit = solve_for(smoothing, *problem, data, scalar, result);
+  const double missed = largest_of(problem->residuals(fit.coefficients));
   fit.coefficients = problem->whole(fit.coefficients);
   result.points_outside = data.outside;
   result.points_merged = data.merged;
   result.points_used = data.rows.size() / 2 + data.merged;
-  if (data.merged > 0)
-    result.notes.push_back(std::to_string(data.merged) + " observations were averaged into coincident ones");
   result.field = field_of(options, fit, data, space, region);
   measure_sides(options, result);
   timed(result.seconds, "measure", [&] {
@@ -284,12 +314,9 @@ FlowResult fit_flow(const VectorObservations& observations, const Rectangle& reg
   result.lambda = fit.lambda;
   result.iterations = fit.iterations;
   result.accuracy = fit.accuracy;
-  if (fit.accuracy > 1e3 * options.limits.accuracy)
-    result.notes.push_back("the solver stopped after " + std::to_string(fit.iterations) +
-                           " iterations at an estimated relative error of " + number_text(fit.accuracy, 2) +
-                           " in the energy norm");
   if (smoothing.kind == Smoothing::Kind::Tolerance)
     result.tolerance_reached = within(observations, smoothing.value, result);
+  add_notes(smoothing, options, missed > missed_by_interpolation && problem->size() <= problem->unknowns(), result);
   return result;
 }
 

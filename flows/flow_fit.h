@@ -28,8 +28,8 @@ struct FlowOptions {
   /// x is the longitude and y the latitude in degrees, u the velocity to the east and v to the north, on a sphere with
   /// the mean radius of the Earth in km.
   bool geographic = false;
-  FlowSides sides;      ///< not of General; walls without slip not of Irrotational
-  Smoothing smoothing;  ///< λ = 0 means Smoothing::none(); a tolerance is one of u and of v, not for General
+  FlowSides sides;      ///< walls without slip not of Irrotational, and of General with a free side only
+  Smoothing smoothing;  ///< λ = 0 means Smoothing::none(); a tolerance is one of u and of v
   IterationLimits limits;
   std::uint64_t seed = 1;  ///< of the random probes of cross-validation
   /// Called now and then with the phase ("cross-validation", "solve", ...) and the part of it that is done, 0 to 1.
@@ -73,11 +73,13 @@ struct FlowResult {
 /// constant on each connected wall, and the differences of these constants, the fluxes, are found by the fit, as are
 /// the mean flows along periodic directions. ψ and φ have zero mean. A field that is both a rotation and a gradient can
 /// be given to ψ or φ: General splits it by the least energy, and gives ψ what costs nothing, so that φ is orthogonal
-/// to the gradients of x, y, x² - y² and x y; on a sphere none of these is both. Observations outside the region are
-/// left out. Throws InvalidInput for data that do not determine the field (three points not on a line, for Slow one
-/// point), and, as fit_surface does, for numbers that are not finite, weights that are negative or all zero, ratios
-/// that are not positive, degrees other than 3 to 5, sides that contradict each other or the model, regions that are
-/// not between the poles, and tolerances where a flux or mean flow is to be found; SolverError if the iteration fails.
+/// to the gradients of x, y, x² - y² and x y that keep the sides; on a sphere none of these is both. At walls of
+/// General φ_n = 0; without slip φ is constant along each wall, which needs a free side (docs/flows.md). Its flux and
+/// mean flows are means over the region. Observations outside the region are left out. Throws InvalidInput for data
+/// that do not determine the field (three points not on a line, for Slow one point), and, as fit_surface does, for
+/// numbers that are not finite, weights that are negative or all zero, ratios that are not positive, degrees other than
+/// 3 to 5, sides that contradict each other or the model, regions that are not between the poles; SolverError if the
+/// iteration fails.
 FlowResult fit_flow(const VectorObservations& observations, const Rectangle& region, const FlowOptions& options = {});
 
 }  // namespace batten

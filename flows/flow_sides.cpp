@@ -7,14 +7,15 @@
 namespace batten {
 namespace {
 
-EndCondition end_condition(FlowSide side, bool is_potential) {
+EndCondition end_condition(FlowSide side, const FlowPart& part) {
   switch (side) {
     case FlowSide::Free:
       return EndCondition::Free;
     case FlowSide::Wall:
-      return is_potential ? EndCondition::Flat : EndCondition::Zero;
+      return part.is_potential ? EndCondition::Flat : EndCondition::Zero;
     case FlowSide::NoSlip:
-      if (is_potential) throw InvalidInput("fit_flow: expected walls with slip for a gradient, found walls without");
+      if (part.is_potential && !part.has_other)
+        throw InvalidInput("fit_flow: expected walls with slip for a gradient, found walls without");
       return EndCondition::Clamped;
     default:
       return EndCondition::Periodic;
@@ -52,15 +53,24 @@ std::array<double, 4> blossoms(const SplineBasis& basis, int i) {
 
 }  // namespace
 
+bool FlowSides::have(FlowSide side) const {
+  const auto sides = all();
+  return std::find(sides.begin(), sides.end(), side) != sides.end();
+}
+
 bool FlowSides::are_closed() const {
   const auto sides = all();
   return std::all_of(sides.begin(), sides.end(), is_wall);
 }
 
-SpaceEnds side_conditions(const FlowSides& s, bool is_potential) {
+SpaceEnds side_conditions(const FlowSides& s, const FlowPart& part) {
   expect_pair(s.left, s.right, "left and right");
   expect_pair(s.bottom, s.top, "bottom and top");
-  const auto end = [=](FlowSide side) { return end_condition(side, is_potential); };
+  if (part.has_other && s.have(FlowSide::NoSlip) && !s.have(FlowSide::Free))
+    throw InvalidInput(
+        "fit_flow: expected a free side for the model general with walls without slip, found none: its ψ and φ would "
+        "leave out all fields with a mean flow");
+  const auto end = [&](FlowSide side) { return end_condition(side, part); };
   return {{end(s.left), end(s.right)}, {end(s.bottom), end(s.top)}};
 }
 
@@ -83,13 +93,21 @@ std::vector<double> SideFunction::coefficients(const SplineSpace& space) const {
   return result;
 }
 
-std::vector<SideFunction> side_functions(const FlowSides& s, bool is_potential) {
+std::vector<SideFunction> side_functions(const FlowSides& s, const FlowPart& part) {
   using Along = SideFunction::Along;
   std::vector<SideFunction> result;
   const auto add = [&](Along along, FlowSide lower, FlowSide upper, FlowSide first, FlowSide second) {
-    const bool is_crossed = is_wall(first) || is_wall(second);
-    if (lower == FlowSide::Periodic && (is_potential || !is_crossed)) result.push_back({along, {0, 1, 0, 0}});
-    if (!is_potential && is_wall(lower) && is_wall(upper) && !is_crossed) result.push_back({along, ramp(lower, upper)});
+    const bool is_mean = lower == FlowSide::Periodic;
+    if (part.is_potential) {
+      const bool differs = lower == FlowSide::NoSlip && upper == FlowSide::NoSlip && first != FlowSide::NoSlip &&
+                           second != FlowSide::NoSlip;
+      if (part.has_other ? differs : is_mean) result.push_back({along, ramp(lower, upper)});
+      return;
+    }
+    const bool is_crossed = is_wall(first) || is_wall(second), is_channel = is_wall(lower) && is_wall(upper);
+    const bool has_slip = lower != FlowSide::NoSlip && upper != FlowSide::NoSlip;
+    const bool is_gradient = part.has_other && first == FlowSide::Free && has_slip;  // of a linear φ
+    if ((is_mean || is_channel) && !is_crossed && !is_gradient) result.push_back({along, ramp(lower, upper)});
   };
   add(Along::X, s.left, s.right, s.bottom, s.top);
   add(Along::Y, s.bottom, s.top, s.left, s.right);
