@@ -27,7 +27,9 @@ struct EvenSteps {
   }
 };
 
-std::string point_text(double x, double y) { return "(" + number_text(x, 9) + ", " + number_text(y, 9) + ")"; }
+std::string point_text(double x, double y) {
+  return std::string("(") + number_text(x, 9) + ", " + number_text(y, 9) + ")";
+}
 
 /// The steps between the least and the greatest coordinate, as many as different coordinates say.
 EvenSteps steps_of(std::vector<double> values, const std::string& file, const std::string& column) {

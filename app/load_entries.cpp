@@ -17,7 +17,7 @@ std::string range_text(const Interval& interval) {
 
 void expect_inside(const TomlValue& value, const Place& place, const Rectangle& region) {
   if (region.contains(place[0], place[1])) return;
-  refuse(value, "(" + number_text(place[0], digits) + ", " + number_text(place[1], digits) +
+  refuse(value, std::string("(") + number_text(place[0], digits) + ", " + number_text(place[1], digits) +
                     ") lies outside the region, x " + range_text(region.x) + ", y " + range_text(region.y));
 }
 

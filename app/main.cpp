@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The command `batten`. One file per subcommand.
+// The program that does the work of the command `batten`. One file per subcommand.
 #include <batten/app/evaluate_command.h>
 #include <batten/app/fit_command.h>
 #include <batten/app/flow_command.h>
 #include <batten/app/scheme_command.h>
 #include <batten/app/solve_command.h>
 #include <batten/app/subdivide_command.h>
-#include <batten/app/thread_count.h>
 #include <batten/app/usage_error.h>
 
 #include <CLI/CLI.hpp>
@@ -90,7 +89,6 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report_parse_error(app, error);
   }
-  let_threads_sleep(argv);
   return run_parsed(app, commands);
 }
 

@@ -2,6 +2,7 @@
 #include <batten/app/output_names.h>
 #include <batten/app/usage_error.h>
 #include <batten/io/output_file.h>
+#include <batten/io/vtk_support.h>
 
 #include <filesystem>
 
@@ -9,12 +10,6 @@ namespace batten {
 namespace {
 
 namespace fs = std::filesystem;
-
-#ifdef BATTEN_WITH_VTK
-constexpr bool has_vtk = true;
-#else
-constexpr bool has_vtk = false;
-#endif
 
 bool needs_vtk(const std::string& extension) { return extension != ".csv" && extension != ".json"; }
 
@@ -35,7 +30,7 @@ void check_output_name(const std::string& option, const std::string& file, std::
     list += (list.empty() ? "" : " or ") + std::string(ending);
   }
   if (!is_known) throw UsageError(option + ": the name must end with " + list + ", found '" + file + "'");
-  if (!has_vtk && needs_vtk(extension))
+  if (!has_vtk() && needs_vtk(extension))
     throw UsageError(option + ": this build of Batten has no VTK and cannot write '" + file + "'");
   check_output(file);
 }

@@ -126,7 +126,7 @@ void draw_scaling(const Scheme2& scheme, const SchemeArguments& arguments) {
   if (arguments.picture.empty()) return;
   blank_outside(grid);
   PictureOptions options;
-  options.title = "scaling function of " + scheme.name();
+  options.title = std::string("scaling function of ") + scheme.name();
   options.value_name = "n";
   write_picture(arguments.picture, grid, {}, options);
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/eigensystem.h>
 #include <batten/bases/invariant_polytope.h>
 #include <batten/bases/leading_products.h>
 #include <batten/bases/least_absolute_sum.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -82,12 +81,12 @@ private:
 
   /// Real and imaginary parts, of size 1, of the eigenvectors of one product that belong to its largest eigenvalues.
   void append_eigenvectors(const Eigen::MatrixXd& product, std::vector<Eigen::VectorXd>& found) const {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(product);
-    const Eigen::VectorXd moduli = solver.eigenvalues().cwiseAbs();
+    const Eigensystem system = eigensystem(product);
+    const Eigen::VectorXd moduli = system.values.cwiseAbs();
     for (Eigen::Index k = 0; k < moduli.size(); ++k) {
       if (moduli[k] < 0.99 * moduli.maxCoeff()) continue;
       for (const Eigen::VectorXd& part :
-           {Eigen::VectorXd(solver.eigenvectors().col(k).real()), Eigen::VectorXd(solver.eigenvectors().col(k).imag())})
+           {Eigen::VectorXd(system.vectors.col(k).real()), Eigen::VectorXd(system.vectors.col(k).imag())})
         if (part.cwiseAbs().maxCoeff() > 1e-3) found.push_back(part / part.cwiseAbs().maxCoeff());
     }
   }

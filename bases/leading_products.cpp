@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/eigensystem.h>
 #include <batten/bases/leading_products.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,7 @@ struct Partial {
 
 double rate_of(const Partial& product) {
   if (product.matrix.rows() == 0) return 0;
-  const double radius = product.matrix.eigenvalues().cwiseAbs().maxCoeff();
+  const double radius = eigenvalues(product.matrix).cwiseAbs().maxCoeff();
   return std::pow(radius, 1. / static_cast<double>(product.factors.size()));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/difference_scheme.h>
+#include <batten/bases/eigensystem.h>
 #include <batten/bases/mask_division.h>
 #include <batten/bases/mask_text.h>
 #include <batten/bases/mask_values.h>
@@ -7,7 +8,6 @@
 #include <batten/bases/torus_zeros.h>
 #include <batten/domains/errors.h>
 
-#include <Eigen/Eigenvalues>
 #include <boost/math/quadrature/gauss.hpp>
 #include <unsupported/Eigen/FFT>
 
@@ -111,7 +111,7 @@ std::vector<Complex> simple_roots(const Polynomial& b) {
     if (k > 0) companion(k, k - 1) = 1;
     companion(k, degree - 1) = -p.coefficients()[static_cast<std::size_t>(k)] / p.coefficients().back();
   }
-  const Eigen::VectorXcd roots = companion.eigenvalues();
+  const Eigen::VectorXcd roots = eigenvalues(companion);
   return {roots.begin(), roots.end()};
 }
 

@@ -100,6 +100,20 @@ BandedRows lengthened(BandedRows brief, int rows, int columns, int period, int s
   return result;
 }
 
+/// [order][p][a]: coefficients of the derivatives of the functions of a piece, by powers of the local coordinate.
+std::vector<double> derivatives_of(const SplinePiece& piece) {
+  std::vector<double> result;
+  const std::size_t n = piece.coefficients.size();
+  for (std::size_t order = 0; order < n; ++order)
+    for (std::size_t p = 0; p < n; ++p)
+      for (std::size_t a = 0; a < n; ++a) {
+        Rational c = p + order < n ? piece.coefficients[a][p + order] : Rational(0);
+        for (std::size_t k = 0; k < order; ++k) c *= Rational(static_cast<long>(p + order - k)) / piece.length;
+        result.push_back(c.convert_to<double>());
+      }
+  return result;
+}
+
 }  // namespace
 
 /// Inner products of the splines on a short interval, by the orders of the derivatives.
@@ -150,14 +164,12 @@ SplineBasis::SplineBasis(const Interval& interval, int degree, const EndConditio
     for (const auto& row : periodic_end(degree))
       for (const auto& weight : row) derived_->periodic_end.push_back(weight.convert_to<double>());
   const auto n = static_cast<std::size_t>(degree) + 1;
-  for (const auto& piece : spline_pieces(short_breakpoints(interval, degree), degree, derived_->ends))
-    for (std::size_t order = 0; order < n; ++order)
-      for (std::size_t p = 0; p < n; ++p)
-        for (std::size_t a = 0; a < n; ++a) {
-          Rational c = p + order < n ? piece.coefficients[a][p + order] : Rational(0);
-          for (std::size_t k = 0; k < order; ++k) c *= Rational(static_cast<long>(p + order - k)) / piece.length;
-          pieces_.push_back(c.convert_to<double>());
-        }
+  for (const auto& piece : spline_pieces(short_breakpoints(interval, degree), degree, derived_->ends)) {
+    const auto stored = piece.repeats
+                            ? std::vector<double>(pieces_.end() - static_cast<std::ptrdiff_t>(n * n * n), pieces_.end())
+                            : derivatives_of(piece);
+    pieces_.insert(pieces_.end(), stored.begin(), stored.end());
+  }
 }
 
 int SplineBasis::kept() const {

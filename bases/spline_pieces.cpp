@@ -66,7 +66,31 @@ SplinePiece piece_of_cell(const std::vector<Rational>& t, std::size_t cell, std:
     }
     lower = std::move(next);
   }
-  return {length, std::move(lower)};
+  return {length, std::move(lower), false};
+}
+
+/// Are the knots that the piece of a cell depends on, t[cell + 1] .. t[cell + 2 degree], those of the cell before,
+/// moved?
+bool repeats_the_cell_before(const std::vector<Rational>& t, std::size_t cell, std::size_t degree) {
+  if (cell == 0) return false;
+  for (std::size_t k = cell + std::min<std::size_t>(degree, 1); k < cell + std::max<std::size_t>(2 * degree, 1); ++k)
+    if (t[k + 1] - t[k] != t[k] - t[k - 1]) return false;
+  return true;
+}
+
+/// [a][b]: ∫ N_a^(r) N_b^(s) dt over the cell of a piece.
+std::vector<std::vector<Rational>> products_of_piece(const SplinePiece& piece, int r, int s) {
+  std::vector<Polynomial> left, right;
+  for (const Polynomial& p : piece.coefficients) {
+    left.push_back(derivative(p, r, piece.length));
+    right.push_back(derivative(p, s, piece.length));
+  }
+  std::vector<std::vector<Rational>> products;
+  for (const Polynomial& p : left) {
+    auto& row = products.emplace_back();
+    for (const Polynomial& q : right) row.push_back(piece.length * inner_product(p, q));
+  }
+  return products;
 }
 
 }  // namespace
@@ -74,8 +98,11 @@ SplinePiece piece_of_cell(const std::vector<Rational>& t, std::size_t cell, std:
 std::vector<SplinePiece> spline_pieces(std::span<const int> breakpoints, int degree, EndKnots ends) {
   const auto knots = all_knots(breakpoints, degree, ends);
   std::vector<SplinePiece> pieces;
-  for (std::size_t cell = 0; cell + 1 < breakpoints.size(); ++cell)
-    pieces.push_back(piece_of_cell(knots, cell, static_cast<std::size_t>(degree)));
+  for (std::size_t cell = 0; cell + 1 < breakpoints.size(); ++cell) {
+    const bool repeats = repeats_the_cell_before(knots, cell, static_cast<std::size_t>(degree));
+    pieces.push_back(repeats ? pieces.back() : piece_of_cell(knots, cell, static_cast<std::size_t>(degree)));
+    pieces.back().repeats = repeats;
+  }
   return pieces;
 }
 
@@ -84,14 +111,11 @@ std::vector<std::vector<Rational>> exact_inner_products(std::span<const int> bre
   const auto pieces = spline_pieces(breakpoints, degree, ends);
   const auto d = static_cast<std::size_t>(degree);
   std::vector<std::vector<Rational>> products(pieces.size() + d, std::vector<Rational>(2 * d + 1));
+  std::vector<std::vector<Rational>> of_piece;
   for (std::size_t cell = 0; cell < pieces.size(); ++cell) {
-    const auto& piece = pieces[cell];
-    for (std::size_t a = 0; a <= d; ++a) {
-      const auto p = derivative(piece.coefficients[a], r, piece.length);
-      for (std::size_t b = 0; b <= d; ++b)
-        products[cell + a][b + d - a] +=
-            piece.length * inner_product(p, derivative(piece.coefficients[b], s, piece.length));
-    }
+    if (!pieces[cell].repeats) of_piece = products_of_piece(pieces[cell], r, s);
+    for (std::size_t a = 0; a <= d; ++a)
+      for (std::size_t b = 0; b <= d; ++b) products[cell + a][b + d - a] += of_piece[a][b];
   }
   return products;
 }

@@ -13,6 +13,7 @@ namespace batten {
 struct SplinePiece {
   Rational length;  ///< b_{c+1} - b_c
   std::vector<std::vector<Rational>> coefficients;
+  bool repeats = false;  ///< the piece of the cell before
 };
 
 /// The knots at and beyond the ends of the interval.

@@ -16,6 +16,12 @@ function(batten_set_flags target)
     $<$<BOOL:${BATTEN_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
+# Headers of others that most sources include: parsed once for each target, not once for each source. Every source still includes what it
+# uses; the preset sanitize, which compiles without this (CMAKE_DISABLE_PRECOMPILE_HEADERS), shows where one does not.
+set(batten_common_headers
+  <algorithm> <cmath> <functional> <iostream> <map> <memory> <optional> <sstream> <string> <unordered_map> <variant> <vector>
+  <Eigen/Dense> <Eigen/SparseCore> <boost/multiprecision/gmp.hpp>)
+
 # batten_add_library(<folder> [DEPENDS target...] [PRIVATE_DEPENDS target...] [DEFINITIONS name...] [EXCLUDE file...])
 #
 # The library batten::<folder> of all *.cpp in the current folder but those in EXCLUDE. DEPENDS are seen by its headers, PRIVATE_DEPENDS
@@ -52,12 +58,19 @@ function(batten_add_library folder)
   install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/batten/${folder}")
 endfunction()
 
-# batten_add_test(<folder> [DEPENDS target...] [DEFINITIONS name...])
+# What is tested is in the libraries, compiled as for users; the tests' own sources are compiled faster than well.
+function(batten_set_test_flags target)
+  batten_set_flags(${target})
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_link_libraries(${target} PRIVATE GTest::gmock OpenMP::OpenMP_CXX)
+endfunction()
+
+# batten_add_test(<folder> [DEPENDS target...] [DEFINITIONS name...] [PRECOMPILED])
 #
 # The test program test_<folder> of all tests/<folder>/*.cpp, linked to batten::<folder> where there is one, or none
-# where there are no sources.
+# where there are no sources. PRECOMPILED: with the headers of batten_test_headers.
 function(batten_add_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "PRECOMPILED" "" "DEPENDS;DEFINITIONS")
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp")
   if(NOT sources)
     return()
@@ -65,15 +78,23 @@ function(batten_add_test folder)
 
   set(target test_${folder})
   add_executable(${target} ${sources})
-  batten_set_flags(${target})
+  batten_set_test_flags(${target})
   target_include_directories(${target} PRIVATE "${PROJECT_BINARY_DIR}/include")
   if(TARGET batten::${folder})
     target_link_libraries(${target} PRIVATE batten::${folder})
   endif()
-  target_link_libraries(${target} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${target} PRIVATE ${arg_DEPENDS} GTest::gtest_main)
   target_compile_definitions(${target} PRIVATE ${arg_DEFINITIONS})
-  gtest_discover_tests(${target} TEST_PREFIX "${folder}." DISCOVERY_TIMEOUT 120
-    PROPERTIES LABELS ${folder} TIMEOUT 600 ENVIRONMENT ${batten_test_environment})
+  if(arg_PRECOMPILED)
+    target_precompile_headers(${target} REUSE_FROM batten_test_headers)
+  endif()
+  batten_discover_tests(${target} ${folder})
+endfunction()
+
+# batten_discover_tests(<target> <label>): each test of the program on its own, its name after the label.
+function(batten_discover_tests target label)
+  gtest_discover_tests(${target} TEST_PREFIX "${label}." DISCOVERY_TIMEOUT 120
+    PROPERTIES LABELS ${label} TIMEOUT 600 ENVIRONMENT ${batten_test_environment})
 endfunction()
 
 # batten_add_programs(<prefix> [DEPENDS target...] [TESTS])

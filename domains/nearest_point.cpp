@@ -2,17 +2,13 @@
 #include <batten/domains/errors.h>
 #include <batten/domains/nearest_point.h>
 
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <cmath>
 #include <vector>
 
-#ifdef BATTEN_WITH_CGAL
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#endif
-
 namespace batten {
-
-#ifdef BATTEN_WITH_CGAL
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
@@ -39,18 +35,6 @@ double NearestPoint::distance(double x, double y) {
   triangulation_->start = nearest->face();
   return std::hypot(x - nearest->point().x(), y - nearest->point().y());
 }
-
-#else
-
-struct NearestPoint::Triangulation {};
-
-NearestPoint::NearestPoint(std::span<const double>, std::span<const double>) {
-  throw InvalidInput("this build of Batten has no CGAL: distances to the nearest point are not available");
-}
-
-double NearestPoint::distance(double, double) { return 0; }
-
-#endif
 
 NearestPoint::~NearestPoint() = default;
 NearestPoint::NearestPoint(NearestPoint&& other) noexcept = default;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/eigensystem.h>
 #include <batten/fem/block_vectors.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -94,11 +95,9 @@ Eigen::MatrixXd orthonormalisation(const Eigen::MatrixXd& gram) {
   constexpr double least = 1e-13;
   const Eigen::VectorXd scale =
       gram.diagonal().unaryExpr([](double d) { return d > 0 && std::isfinite(d) ? 1 / std::sqrt(d) : 0.; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * gram * scale.asDiagonal());
-  const Eigen::VectorXd& values = eigen.eigenvalues();
+  const auto [values, vectors] = symmetric_eigensystem(scale.asDiagonal() * gram * scale.asDiagonal());
   const Eigen::Index kept = (values.array() > least * values[values.size() - 1]).count();
-  return scale.asDiagonal() * eigen.eigenvectors().rightCols(kept) *
-         values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  return scale.asDiagonal() * vectors.rightCols(kept) * values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace batten

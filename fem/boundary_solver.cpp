@@ -176,7 +176,7 @@ BoundaryResult BoundarySolve::run() {
   result.accuracy = iterations_.accuracy;
   result.notes = lifting_.notes;
   if (motions_.count() > 0)
-    result.notes.push_back(
+    result.notes.emplace_back(
         "sides and supports leave the solution free to move; the one with mean 0 (and, for a plate, "
         "without mean tilt) is given");
   result.seconds = seconds_;

@@ -78,7 +78,7 @@ ScaledFit solve_automatic(FitProblem& problem, const FitOptions& options, FitRes
 
 ScaledFit solve_none(FitProblem& problem, const FitOptions& options, FitResult& result) {
   if (options.energy.null_degree() == 0 && options.energy.order() == 1)
-    result.notes.push_back(
+    result.notes.emplace_back(
         "membrane without smoothing: point values are not bounded for the membrane in two dimensions, the result "
         "depends on "
         "the cell size; consider the energy \"tension\"");

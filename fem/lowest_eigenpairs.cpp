@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/eigensystem.h>
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
 #include <batten/fem/block_vectors.h>
 #include <batten/fem/lowest_eigenpairs.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -66,11 +67,11 @@ void Lobpcg::choose(Index columns, const std::vector<Index>& moving) {
   if (t.cols() < block_)
     throw SolverError("lowest_eigenpairs: expected " + std::to_string(block_) + " independent vectors, found " +
                       std::to_string(t.cols()));
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(t.transpose() * energy * t);
-  values_ = ritz.eigenvalues().head(block_);
+  const SymmetricEigensystem ritz = symmetric_eigensystem(t.transpose() * energy * t);
+  values_ = ritz.values.head(block_);
   directions_ = columns > block_ ? static_cast<Index>(moving.size()) : 0;
   MatrixXd c(columns, block_ + directions_);
-  c.leftCols(block_) = t * ritz.eigenvectors().leftCols(block_);
+  c.leftCols(block_) = t * ritz.vectors.leftCols(block_);
   for (Index k = 0; k < directions_; ++k) {
     auto p = c.col(block_ + k);
     p = c.col(moving[static_cast<std::size_t>(k)]);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/bases/eigensystem.h>
 #include <batten/fem/block_vectors.h>
 #include <batten/flows/coupled_problem.h>
 
@@ -88,10 +89,10 @@ void CoupledProblem::find_unseen() {
       for (std::size_t i = 0; i < size(); ++i)
         seen(static_cast<Eigen::Index>(i), k) = std::sqrt(weight()[i]) * measured[i];
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(seen.transpose() * seen);
-    const double largest = parts.eigenvalues().maxCoeff();
-    const auto unseen = (parts.eigenvalues().array() <= unseen_part * largest).count();  // the first ones
-    combine = (combine * parts.eigenvectors().leftCols(unseen)).eval();
+    const SymmetricEigensystem parts = symmetric_eigensystem(seen.transpose() * seen);
+    const double largest = parts.values.maxCoeff();
+    const auto unseen = (parts.values.array() <= unseen_part * largest).count();  // the first ones
+    combine = (combine * parts.vectors.leftCols(unseen)).eval();
   }
   unseen_.clear();
   for (const Eigen::VectorXd c : combine.colwise()) unseen_.push_back(combination(pairs, c));

@@ -63,7 +63,7 @@ ScaledFit solve_automatic(PenalisedProblem& problem, const FitOptions& options, 
 
 ScaledFit solve_none(PenalisedProblem& problem, const FitOptions& options, FlowResult& result) {
   if (options.energy.order() < 3)
-    result.notes.push_back(
+    result.notes.emplace_back(
         "model slow without smoothing: point velocities are not bounded by its energy, each point gets a spike that "
         "grows with the logarithm of the cell size; consider the model smooth");
   if (problem.size() <= problem.unknowns()) return interpolate(problem, options);

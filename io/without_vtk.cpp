@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands in for image_file, quad_file, point_file, curve_file, picture, chart and png where Batten is built
-// without VTK.
+// What stands in for image_file, quad_file, point_file, curve_file, picture, chart, png and vtk_support where Batten is
+// built without VTK.
 #include <batten/domains/errors.h>
 #include <batten/io/chart.h>
 #include <batten/io/curve_file.h>
@@ -9,6 +9,7 @@
 #include <batten/io/png.h>
 #include <batten/io/point_file.h>
 #include <batten/io/quad_file.h>
+#include <batten/io/vtk_support.h>
 
 namespace batten {
 namespace {
@@ -18,6 +19,8 @@ namespace {
 }
 
 }  // namespace
+
+bool has_vtk() { return false; }
 
 void write_image(const std::filesystem::path& path, const GridSamples&, const Record&) {
   refuse(path.string(), " and cannot write .vti files; write .csv");

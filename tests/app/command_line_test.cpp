@@ -45,6 +45,23 @@ TEST(CommandLine, version_is_one_line) {
   EXPECT_THAT(lines(run.out), testing::ElementsAre(testing::MatchesRegex("batten [0-9]+\\.[0-9]+\\.[0-9]+")));
 }
 
+TEST(CommandLine, threads_sleep_while_they_wait_unless_the_user_says_otherwise) {
+  if (!has_starter) GTEST_SKIP() << "this command is called without its starter";
+  const Folder folder;
+  const std::string show = "OMP_DISPLAY_ENV=true batten --version";
+  EXPECT_THAT(run_shell(folder, "unset OMP_WAIT_POLICY; " + show).err, HasSubstr("OMP_WAIT_POLICY = 'PASSIVE'"));
+  EXPECT_THAT(run_shell(folder, "OMP_WAIT_POLICY=active " + show).err, HasSubstr("OMP_WAIT_POLICY = 'ACTIVE'"));
+}
+
+TEST(CommandLine, without_the_program_it_says_what_is_missing) {
+  if (!has_starter) GTEST_SKIP() << "this command is called without its starter";
+  const Folder folder;
+  expect_refusal(run_shell(folder, "mkdir bin; cp \"$(command -v batten)\" bin; bin/batten --version"), 127,
+                 "batten: expected the program " +
+                     (std::filesystem::canonical(folder.path()) / "libexec/batten/batten").string() +
+                     ", found: No such file or directory");
+}
+
 TEST(CommandLine, an_unknown_command_is_named_with_those_there_are) {
   expect_usage_error("fitt", "batten: there is no command 'fitt'; the commands are fit, evaluate");
 }

@@ -19,6 +19,9 @@
 extern char** environ;
 
 namespace batten::test {
+
+const bool has_vtk = BATTEN_COMMAND_HAS_VTK, has_starter = BATTEN_COMMAND_HAS_STARTER;
+
 namespace {
 
 namespace fs = std::filesystem;

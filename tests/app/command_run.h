@@ -10,11 +10,11 @@
 
 namespace batten::test {
 
-#ifdef BATTEN_WITH_VTK
-inline constexpr bool has_vtk = true;
-#else
-inline constexpr bool has_vtk = false;
-#endif
+/// Is the command under test to have VTK?
+extern const bool has_vtk;
+
+/// Does the command under test start the program that does its work?
+extern const bool has_starter;
 
 /// A new folder that the command runs in, removed at the end. `examples/data` in it leads to the data of the tree.
 class Folder {

@@ -60,7 +60,7 @@ TEST(AffineMaps, of_one_sierpinski_round_then_koch_give_the_snowflake) {
 }
 
 TEST(AffineMaps, of_the_halves_of_a_bezier_curve_put_all_ends_on_it) {
-  const Eigen::MatrixXd polygon = (Eigen::MatrixXd(4, 2) << 0, 0, 1, 3, 2, -1, 4, 1).finished();
+  const Eigen::MatrixXd polygon{{0, 0}, {1, 3}, {2, -1}, {4, 1}};
   const auto maps = casteljau_maps(3);
   const auto pieces = iterated_maps(std::vector{maps.left, maps.right}, std::vector{polygon}, 4);
   ASSERT_EQ(pieces.size(), 16u);  // 16 chords, 17 points at parameters j / 16

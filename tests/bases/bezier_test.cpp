@@ -61,7 +61,7 @@ TEST(Bezier, basis_is_a_partition_of_unity_with_maxima_at_i_over_m) {
 }
 
 TEST(Bezier, curve_starts_and_ends_in_its_polygon) {
-  const Eigen::MatrixXd p = (Eigen::MatrixXd(4, 1) << 3, -1, 4, 1).finished();
+  const Eigen::MatrixXd p{{3}, {-1}, {4}, {1}};
   EXPECT_EQ(bezier_point(p, 0)[0], 3);
   EXPECT_EQ(bezier_point(p, 1)[0], 1);
   EXPECT_DOUBLE_EQ(bezier_point(p, 0.5)[0], (3 - 3 + 12 + 1) / 8.);

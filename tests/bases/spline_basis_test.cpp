@@ -207,5 +207,20 @@ TEST(SplinePieces, are_exact) {
   EXPECT_EQ(mass[0][3], Rational(1, 7));  // ∫ (1-t)^6
 }
 
+TEST(SplinePieces, repeat_where_the_knots_around_a_cell_do) {
+  // Knots 0 0 0 1 2 3 4 5 6 8 8 8; the quadratic pieces of cell c depend on four of them, from the second that c
+  // counts.
+  const auto pieces = spline_pieces(std::vector{0, 1, 2, 3, 4, 5, 6, 8}, 2);
+  std::vector<bool> repeats;
+  for (const auto& piece : pieces) repeats.push_back(piece.repeats);
+  EXPECT_EQ(repeats, (std::vector{false, false, true, true, true, false, false}));
+  const Rational half(1, 2);
+  const std::vector<std::vector<Rational>> uniform = {{half, -1, half}, {half, 1, -1}, {0, 0, half}};
+  for (const std::size_t cell : {1u, 2u, 3u, 4u}) EXPECT_EQ(pieces[cell].coefficients, uniform) << cell;
+  // On [5, 6], knots 4 5 6 8: the first (1 - u)²/2, the last u²/3.
+  EXPECT_EQ(pieces[5].coefficients[0], uniform[0]);
+  EXPECT_EQ(pieces[5].coefficients[2], (std::vector<Rational>{0, 0, Rational(1, 3)}));
+}
+
 }  // namespace
 }  // namespace batten

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
 #include <batten/domains/nearest_point.h>
+#include <batten/tests/support/message_of.h>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +29,12 @@ protected:
     if (!is_available()) GTEST_SKIP() << "built without CGAL";
   }
 };
+
+TEST(BuildWithoutCgal, says_what_it_cannot_do) {
+  if (is_available()) GTEST_SKIP() << "built with CGAL";
+  EXPECT_EQ(message_of<InvalidInput>([] { NearestPoint(std::vector{0.}, std::vector{0.}); }),
+            "this build of Batten has no CGAL: distances to the nearest point are not available");
+}
 
 double distance_by_search(const std::vector<double>& px, const std::vector<double>& py, double x, double y) {
   double least = std::hypot(x - px[0], y - py[0]);
