@@ -127,7 +127,7 @@ void draw_scaling(const Scheme2& scheme, const SchemeArguments& arguments) {
   blank_outside(grid);
   PictureOptions options;
   options.title = std::string("scaling function of ") + scheme.name();
-  options.value_name = "n";
+  options.value_name = std::string("n");
   write_picture(arguments.picture, grid, {}, options);
 }
 

@@ -84,8 +84,8 @@ StokesProblem::PointForce point_force(const TomlValue& item, const Rectangle& re
   const StokesProblem::PointForce force{number("x", "a number"), number("y", "a number"), number("fx", "a force"),
                                         number("fy", "a force")};
   if (!region.contains(force.x, force.y))
-    refuse(item,
-           "(" + number_text(force.x, digits) + ", " + number_text(force.y, digits) + ") lies outside the region");
+    refuse(item, std::string("(") + number_text(force.x, digits) + ", " + number_text(force.y, digits) +
+                     ") lies outside the region");
   return force;
 }
 
