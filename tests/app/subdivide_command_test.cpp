@@ -35,7 +35,9 @@ constexpr const char* plate = "examples/data/plate.csv";
 
 TEST(SubdivideCommand, makes_the_plate_of_the_book) {  // [Warren & Weimer 2001, sec. 5.2], 8 x 8, a block of ones
   const Folder folder;
-  const auto smooth = values_of(folder, std::string(plate) + " --scheme polyharmonic --order 2 --precision 3");
+  std::string arguments = plate;
+  arguments += " --scheme polyharmonic --order 2 --precision 3";
+  const auto smooth = values_of(folder, arguments);
   ASSERT_THAT(smooth, SizeIs(57 * 57));
   EXPECT_NEAR(smooth[28 + 57 * 28], 1, 0.03);
   EXPECT_NEAR(smooth[0], 0, 0.03);
