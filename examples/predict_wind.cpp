@@ -13,7 +13,7 @@
 // The root mean square error on the other nine tenths tells them apart. Wind near the ground does all of it: only the
 // last two predict it, and equally well, as in the plane the energy of general is that of the two plates.
 //
-// Output: 480 of 4800 vectors, rms 5.27 m/s, and the error of each; exits with 1 unless general is within 2 % of the
+// Output: 480 of 4800 vectors, rms 5.29 m/s, and the error of each; exits with 1 unless general is within 2 % of the
 // plates and less than half of the others.
 #include <batten/flows/flow_fit.h>
 #include <batten/io/table.h>
