@@ -81,7 +81,7 @@ Vector BoundarySolve::residual() const {
 /// springs ask for, whose forces add up (the method of multipliers). Membranes without supports are done after the
 /// first.
 void BoundarySolve::iterate() {
-  constexpr double correction_accuracy = 1e-4;  // what the springs gain in a step
+  constexpr double correction_accuracy = 1e-4;  // of itself: what the springs gain in a step
   const auto& multigrid = system_->multigrid();
   const auto& data = multigrid.data();
   const int most_steps = data.size() == 0 && !problem_.is_plate() ? 1 : 8;
@@ -98,18 +98,19 @@ void BoundarySolve::iterate() {
     for (std::size_t i = 0; i < pull.size(); ++i) pull[i] = force_[i] + data.weights()[i] * miss[i];
     data.add_adjoint(pull, r);
     IterationLimits limits = options_.limits;
-    double missing = 1;  // relative size of what is solved for
+    double scale = 0;  // energy norm of the solution, once it is known: accuracies are relative to it
     if (k > 0) {
       const double size = energy_size(multigrid, r);
-      iterations_.accuracy = missing = size / std::sqrt(dot(v, system_->apply(v)));
-      if (missing <= options_.limits.accuracy || size > before / 2) break;
+      scale = std::sqrt(dot(v, system_->apply(v)));
+      iterations_.accuracy = size / scale;
+      if (iterations_.accuracy <= options_.limits.accuracy || size > before / 2) break;
       before = size;
-      limits.accuracy = std::max(limits.accuracy, correction_accuracy);
+      limits.accuracy = std::max(limits.accuracy, correction_accuracy) * iterations_.accuracy;
     }
     Vector step(multigrid.size());
-    const auto found = solve(multigrid, r, step, limits);
+    const auto found = solve(multigrid, r, step, limits, scale);
     iterations_.iterations += found.iterations;
-    iterations_.accuracy = missing * found.accuracy;
+    iterations_.accuracy = found.accuracy;
     if (k == 0)
       v = std::move(step);
     else
