@@ -12,7 +12,7 @@ namespace {
 
 // Cubic B-splines oscillate at a far smaller energy than quadratic ones, so their smoother works harder. Measured:
 // degree + 1 needs the least time for membrane, thin plate and tension alike.
-int smoothing_degree(int spline_degree) { return spline_degree + 1; }
+int degree_of_smoothing(int spline_degree) { return spline_degree + 1; }
 
 constexpr std::size_t largest_grid_factor = 40'000;  // coefficients
 constexpr double largest_points_factor = 6e6;        // estimated entries of K
@@ -38,7 +38,7 @@ Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
     : hierarchy_(&hierarchy),
       streams_(points.size() == 0 && !hierarchy.finest().energy.stencil() && !hierarchy.finest().space.is_periodic()),
       vectors_(static_cast<std::size_t>(hierarchy.size())),
-      degree_(smoothing_degree(hierarchy.degree())),
+      degree_(degree_of_smoothing(hierarchy.degree())),
       repeats_(hierarchy.finest().energy.stencil() != nullptr),
       grounded_(points.are_slopes() && hierarchy.finest().space.holds_constants()) {
   for (int k = 0; k < hierarchy.size(); ++k) {

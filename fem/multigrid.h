@@ -49,6 +49,11 @@ public:
   /// in the complement of the null space of the energy.
   void precondition(std::span<const double> r, std::vector<double>& out, std::size_t level = 0) const;
 
+  /// The parts that cycles of coupled systems are made of. Without points levels have no buffers.
+  const Smoother& level(int k) const { return levels_[static_cast<std::size_t>(k)]; }
+  Smoother::Work& work(int k) const { return work_[static_cast<std::size_t>(k)]; }
+  int smoothing_degree() const { return degree_; }
+
   /// Set where the system is λ E with constant coefficients and nothing else.
   const StreamedCycle* streamed() const { return streamed_ ? &*streamed_ : nullptr; }
 

@@ -107,6 +107,14 @@ std::vector<double> Smoother::compliance() const {
   return data_.compliance(inverse);
 }
 
+double Smoother::data_share() const {
+  double share = 0;
+  for_energy_diagonal([&](std::size_t i, double d) {
+    if (inverse_diagonal_[i] > 0) share = std::max(share, 1 - d * inverse_diagonal_[i]);
+  });
+  return share;
+}
+
 double Smoother::stiffness() const {
   const auto& entries = energy_diagonal_.values();
   return lambda_ * *std::max_element(entries.begin(), entries.end()) * static_cast<double>(size());

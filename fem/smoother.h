@@ -48,6 +48,9 @@ public:
   /// The largest diagonal entry of λ E times the number of coefficients: the energy against the data.
   double stiffness() const;
 
+  /// The largest part of the diagonal of a plain M that is the data's, lumped.
+  double data_share() const;
+
   /// out = A c. Returns c · A c.
   double apply(std::span<const double> c, std::span<double> out) const;
 

@@ -25,17 +25,7 @@ FitData rows_of_potential(const FlowData& data) {
   return result;
 }
 
-std::span<const double> first(std::span<const double> c) { return c.first(c.size() / 2); }
-std::span<const double> second(std::span<const double> c) { return c.last(c.size() / 2); }
-std::span<double> first(std::span<double> c) { return c.first(c.size() / 2); }
-std::span<double> second(std::span<double> c) { return c.last(c.size() / 2); }
-
 constexpr double unseen_part = 1e-9;  // of what the data see best
-
-// Measured with 8 cells: 27 iterations for λ = 1e-6, 96 for 1e-8, where 32 cells need 18.
-constexpr double cells_per_length = 0.3;  // of λ^1/4, over the longer side
-constexpr double cells_per_distance = 2;  // of the data
-constexpr std::size_t largest_level = 80 * 80;
 
 std::vector<double> coefficients(const QuadraticFunction& q, const SplineSpace& space) {
   std::vector<double> c(space.size());
@@ -68,9 +58,9 @@ CoupledProblem::CoupledProblem(const FlowData& data, const Rectangle& region, co
       flow_(flow),
       potential_rows_(rows_of_potential(data)),
       stream_(data.rows, region, options, side_conditions(flow.sides, {false, true})),
-      potential_(potential_rows_, region, options, side_conditions(flow.sides, {true, true})),
-      part_(stream_.unknowns()) {
+      potential_(potential_rows_, region, options, side_conditions(flow.sides, {true, true})) {
   for (const std::size_t row : stream_.order()) factor_.push_back(factor_of(data, row));
+  cycle_.emplace(parts(), [this](int level) { return unseen_on(level); });
   find_unseen();
 }
 
@@ -117,42 +107,27 @@ void CoupledProblem::set(double lambda, std::span<const double> weights) {
   for (std::size_t i = 0; i < size(); ++i) more[i] *= factor_[i] * factor_[i];
   stream_.set(lambda, weights_);
   potential_.set(flow_.ratio * lambda, more);
-  const double vectors = static_cast<double>(size()) / 2;
-  const double cells = std::min(cells_per_length * std::pow(lambda, -0.25), cells_per_distance * std::sqrt(vectors));
-  const int level = coupled_level(parts(), cells, largest_level);
-  if (!level_ || level_->level() != level) level_.emplace(parts(), level, unseen_on(level));
-  level_->set(lambda, weights_);
+  cycle_->set(lambda, weights_);
 }
 
 double CoupledProblem::apply(std::span<const double> c, std::span<double> out) const {
-  stream_.apply(first(c), first(out));
-  potential_.apply(second(c), second(out));
-  std::vector<double> psi = stream_.values(first(c)), phi = potential_.values(second(c));
-  for (std::size_t i = 0; i < size(); ++i) {
-    psi[i] *= weights_[i] * factor_[i];
-    phi[i] *= weights_[i] * factor_[i];
-  }
-  stream_.system().data().add_adjoint(phi, first(out));
-  potential_.system().data().add_adjoint(psi, second(out));
+  stream_.apply(psi_of(c), psi_of(out));
+  potential_.apply(phi_of(c), phi_of(out));
+  cycle_->data().add_cross(1, c, out);
   return dot(c, out);
 }
 
 void CoupledProblem::apply_energy(std::span<const double> c, std::span<double> out) const {
-  stream_.apply_energy(first(c), first(out));
-  potential_.apply_energy(second(c), second(out));
-  for (double& v : second(out)) v *= flow_.ratio;
+  stream_.apply_energy(psi_of(c), psi_of(out));
+  potential_.apply_energy(phi_of(c), phi_of(out));
+  for (double& v : phi_of(out)) v *= flow_.ratio;
 }
 
 void CoupledProblem::precondition(std::span<const double> residual, std::vector<double>& out) const {
   // What the data hardly see is no exact element of the null space, and the residual has a part of it.
   Eigen::MatrixXd seen = Eigen::Map<const Eigen::VectorXd>(residual.data(), static_cast<Eigen::Index>(residual.size()));
   if (flow_.geographic) subtract_product(seen, null_space_, tall_products(null_space_, seen));
-  const std::span<const double> r(seen.data(), residual.size());
-  out = level_->correction(r);
-  stream_.system().precondition(first(r), part_);
-  combine(1, part_, 1, first(std::span<double>(out)));
-  potential_.system().precondition(second(r), part_);
-  combine(1, part_, 1, second(std::span<double>(out)));
+  cycle_->apply({seen.data(), residual.size()}, out);
   if (unseen_.empty()) return;
   Eigen::Map<Eigen::MatrixXd> result(out.data(), static_cast<Eigen::Index>(out.size()), 1);
   subtract_product(result, null_space_, tall_products(null_space_, result));
@@ -180,15 +155,15 @@ std::vector<double> CoupledProblem::right_side(std::span<const double> weights, 
 }
 
 std::vector<double> CoupledProblem::values(std::span<const double> c) const {
-  auto result = stream_.values(first(c));
-  const auto more = potential_.values(second(c));
+  auto result = stream_.values(psi_of(c));
+  const auto more = potential_.values(phi_of(c));
   for (std::size_t i = 0; i < result.size(); ++i) result[i] += factor_[i] * more[i];
   return result;
 }
 
 std::vector<double> CoupledProblem::whole(std::span<const double> c) const {
-  auto result = stream_.whole(first(c));
-  const auto more = potential_.whole(second(c));
+  auto result = stream_.whole(psi_of(c));
+  const auto more = potential_.whole(phi_of(c));
   result.insert(result.end(), more.begin(), more.end());
   return result;
 }

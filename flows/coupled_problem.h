@@ -3,7 +3,7 @@
 
 #include <batten/fem/fit_problem.h>
 #include <batten/fem/preconditioned_system.h>
-#include <batten/flows/coupled_level.h>
+#include <batten/flows/coupled_cycle.h>
 #include <batten/flows/extended_problem.h>
 #include <batten/flows/flow_data.h>
 #include <batten/flows/quadratic_pairs.h>
@@ -20,10 +20,7 @@ namespace batten {
 /// The penalised least-squares problem of v = rot ψ + grad φ: minimise Σ w |v - v_i|² + λ (E(ψ) + ratio E(φ)). Its
 /// unknowns are the coefficients of ψ and then those of φ.
 ///
-/// Each of the two is preconditioned by its own V-cycle. They do not know that ψ and φ can stand for each other: pairs
-/// with opposite velocities at the data cost λ E alone. A direct solution for both is added, on a level that resolves
-/// what tells such a pair from two splines without slopes at the data: the distance of the data, or, where λ is large,
-/// the length λ^1/4 below which energy outweighs data. The rest is what the V-cycles know (docs/flows.md).
+/// Both are preconditioned by one V-cycle, CoupledCycle.
 ///
 /// unseen_pairs() are taken off what the preconditioner gives. On a sphere none cancels exactly, but in small regions
 /// nearly: of all pairs without energy, what the data see to less than 1e-9 of what they see best is taken off.
@@ -71,8 +68,7 @@ private:
   std::vector<QuadraticPair> unseen_;  // with orthonormal coefficients
   Eigen::MatrixXd null_space_;         // these
   std::vector<double> weights_;
-  std::optional<CoupledLevel> level_;
-  mutable std::vector<double> part_;
+  std::optional<CoupledCycle> cycle_;
 };
 
 }  // namespace batten
