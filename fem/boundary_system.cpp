@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace batten {
 namespace {
@@ -96,15 +97,17 @@ std::vector<double> BoundarySystem::apply(std::span<const double> v) const {
   return result;
 }
 
-std::vector<double> BoundarySystem::apply_whole(std::span<const double> whole) const {
-  if (constant_energy_) return apply_by_differences(*constant_energy_, whole_space_, whole);
-  std::vector<double> result(whole.size());
+std::vector<double> BoundarySystem::apply_whole(std::span<const double> whole, std::vector<double> memory) const {
+  if (constant_energy_) return apply_by_differences(*constant_energy_, whole_space_, whole, std::move(memory));
+  std::vector<double> result = std::move(memory);
+  result.resize(whole.size());
   whole_energy_.apply(whole, result);
   return result;
 }
 
-std::vector<double> BoundarySystem::restricted(std::span<const double> whole) const {
-  std::vector<double> result(whole.size());
+std::vector<double> BoundarySystem::restricted(std::span<const double> whole, std::vector<double> memory) const {
+  std::vector<double> result = std::move(memory);
+  result.resize(whole.size());
   subspace_restriction(space()).apply(whole, result);
   fold_images(space(), result);
   return result;

@@ -37,9 +37,10 @@ public:
   std::vector<double> apply(std::span<const double> v) const;
   /// A of all splines, without springs, for whole coefficients: by differences first where coefficients are constant,
   /// so that it keeps its digits on fine grids.
-  std::vector<double> apply_whole(std::span<const double> whole) const;
+  /// `memory` is used for the result, here and below.
+  std::vector<double> apply_whole(std::span<const double> whole, std::vector<double> memory = {}) const;
   /// T^T b: a load vector of all splines, restricted to those that keep the conditions.
-  std::vector<double> restricted(std::span<const double> whole) const;
+  std::vector<double> restricted(std::span<const double> whole, std::vector<double> memory = {}) const;
   /// T v: the whole coefficients of a spline that keeps the conditions.
   std::vector<double> whole(std::span<const double> v) const;
 

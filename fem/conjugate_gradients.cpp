@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/blocks.h>
 #include <batten/domains/errors.h>
+#include <batten/domains/number_text.h>
 #include <batten/fem/block_vectors.h>
 #include <batten/fem/conjugate_gradients.h>
 #include <batten/fem/preconditioned_system.h>
@@ -64,10 +65,10 @@ struct LevelSystem {
   /// out = A c; returns c·A c.
   double apply(std::span<const double> c, std::span<double> out) const { return system.apply(c, out, level); }
   Multigrid::Vectors& vectors() const { return system.vectors(level); }
-  /// z = B r; returns r·z.
+  /// z = B r; returns r·z, which rounding can make negative.
   double precondition(const Vector& r, Vector& z) const {
     system.precondition(r, z, level);
-    return std::max(0., dot(r, z));
+    return dot(r, z);
   }
 };
 
@@ -80,9 +81,12 @@ struct OpenSystem {
   Multigrid::Vectors& vectors() const { return buffers; }
   double precondition(const Vector& r, Vector& z) const {
     system.precondition(r, z);
-    return std::max(0., dot(r, z));
+    return dot(r, z);
   }
 };
+
+/// The size of what is left in the energy norm, from r·B r.
+double norm_of(double rz) { return std::sqrt(std::abs(rz)); }
 
 /// r = b - A c
 template <typename System>
@@ -97,6 +101,15 @@ struct State {
   int iterations = 0;
 };
 
+constexpr double rounding_of_energy = 1e-11;  // of the system's norm, more than ε
+
+/// True if p·Ap, although not positive, is no more than rounding against r·Ar. Overwrites `work`.
+template <typename System>
+bool is_rounding(const System& system, double curvature, const Vector& p, const Vector& r, Vector& work) {
+  const double stiff = system.apply(r, work) / dot(r, r);
+  return std::abs(curvature) <= rounding_of_energy * stiff * dot(p, p);
+}
+
 /// Iterates until the recursive residual says that sqrt(rz) is at most `goal`. Where
 /// the coming step is expected to be the last, the true residual is put in place of the recursive one if the two agree,
 /// which saves a V-cycle; one more step may follow, in case it was not the last. Returns whether r is the true one.
@@ -108,15 +121,17 @@ bool run(const System& system, std::span<const double> b, std::span<double> c, d
   p.assign(z.begin(), z.end());
   double factor = 0.3;
   bool guessed = false, is_true = false;
-  while (iterations < most_iterations) {
+  while (iterations < most_iterations && !(rz <= 0)) {
     ++iterations;
     const double curvature = system.apply(p, q);
-    if (!(curvature > 0) || !(rz > 0))
+    if (!(curvature > 0)) {
+      if (is_rounding(system, curvature, p, r, q)) break;
       throw SolverError("solve: expected a positive definite system, found a direction of energy " +
-                        std::to_string(curvature));
+                        number_text(curvature, 3));
+    }
     move(rz / curvature, p, q, c, r);
     const bool was_true = is_true;
-    if (!guessed && std::sqrt(rz) * factor <= goal) {
+    if (!guessed && norm_of(rz) * factor <= goal) {
       guessed = true;
       residual(system, b, c, q);
       is_true = distance(q, r) <= 0.1 * std::sqrt(dot(r, r));
@@ -124,8 +139,8 @@ bool run(const System& system, std::span<const double> b, std::span<double> c, d
     }
     const double next = system.precondition(r, z), ratio = next / rz;
     rz = next;
-    if (was_true || std::sqrt(rz) <= goal) break;
-    factor = std::sqrt(ratio);
+    if (was_true || norm_of(rz) <= goal) break;
+    factor = norm_of(ratio);
     combine(1, z, ratio, p);
   }
   return is_true;
@@ -143,8 +158,8 @@ IterationResult iterate(const System& system, std::span<const double> b, std::sp
   q.resize(b.size());
   if (!is_zero(c)) residual(system, b, c, r);
   rz = system.precondition(r, z);
-  if (scale == 0) scale = std::sqrt(rz);
-  const auto reached = [&] { return scale > 0 ? std::sqrt(state.rz) / scale : 0; };
+  if (scale == 0) scale = norm_of(rz);
+  const auto reached = [&] { return scale > 0 ? norm_of(state.rz) / scale : 0; };
   for (int restarts = 0; restarts < 2 && reached() > limits.accuracy; ++restarts) {
     if (!run(system, b, c, limits.accuracy * scale, limits.most_iterations, state)) {
       residual(system, b, c, r);
@@ -233,7 +248,7 @@ IterationResult solve_streamed(const Multigrid& system, std::span<const double> 
 
 double energy_size(const Multigrid& system, std::span<const double> b) {
   Vector z;
-  return std::sqrt(LevelSystem{system, 0}.precondition({b.begin(), b.end()}, z));
+  return norm_of(LevelSystem{system, 0}.precondition({b.begin(), b.end()}, z));
 }
 
 IterationResult solve(const Multigrid& system, std::span<const double> b, std::span<double> c,
@@ -258,7 +273,7 @@ IterationResult solve_system(const PreconditionedSystem& system, std::span<const
   const OpenSystem open{system, vectors};
   if (scale == 0) {
     vectors.r.assign(b.begin(), b.end());
-    scale = std::sqrt(open.precondition(vectors.r, vectors.z));
+    scale = norm_of(open.precondition(vectors.r, vectors.z));
   }
   return iterate(open, b, c, limits, scale);
 }

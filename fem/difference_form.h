@@ -24,8 +24,9 @@ std::vector<double> differentiated(const SplineSpace& space, std::span<const dou
 /// E c by differences first, E c = Σ weight D^T M D c with D the derivative and M the inner products of the splines of
 /// lower degree. Where c is smooth its relative error is about ε / h^2 for a plate; that of the sums of products that
 /// Operator makes is ε / h^4. For spaces without conditions at their ends; Gaussian curvature is added as by Operator.
+/// `memory` is used for the result.
 std::vector<double> apply_by_differences(const Energy& energy, const SplineSpace& space,
-                                         std::span<const double> coefficients);
+                                         std::span<const double> coefficients, std::vector<double> memory = {});
 
 /// The energy of the spline with the given coefficients, by differences first: derivatives as splines of lower degree,
 /// then their positive mass matrices. Keeps its relative accuracy where c · (E c) loses it to cancellation.

@@ -224,14 +224,25 @@ double Operator::entry(int i, int j, int k, int l) const {
   return sum;
 }
 
-std::vector<double> apply_curvature(double curvature, const SplineSpace& space, std::span<const double> c) {
-  std::vector<double> result(c.size()), rows(c.size());
+std::vector<double> apply_curvature(double curvature, const SplineSpace& space, std::span<const double> c,
+                                    std::vector<double> memory) {
+  std::vector<double> result = std::move(memory);
+  result.assign(c.size(), 0.);
   if (curvature == 0) return result;
   const BandedRows kx = space.x.inner_products(1), ky = space.y.inner_products(1);
   const auto columns = plus(end_products(space.x, kx, false), 1, end_products(space.x, kx, true));
-  TensorSum({{-curvature * space.cell_factor(1, 1), ky, columns}}).apply(c, result);
-  build_end_rows(curvature, space).apply(c, rows);
-  for (std::size_t i = 0; i < rows.size(); ++i) result[i] += rows[i];
+  const TensorSum at_columns({{-curvature * space.cell_factor(1, 1), ky, columns}}),
+      at_rows = build_end_rows(curvature, space);
+  const int nx = space.x.size(), ny = space.y.size();
+  std::vector<const double*> in(static_cast<std::size_t>(at_columns.band_height()));
+  for (int j = 0; j < ny; ++j) {
+    double* out = result.data() + static_cast<std::ptrdiff_t>(j) * nx;
+    for (std::size_t q = 0; q < in.size(); ++q)
+      in[q] = c.data() + (at_columns.first_row(j) + static_cast<std::ptrdiff_t>(q)) * nx;
+    for (const ColumnRange end : {ColumnRange{0, 2}, ColumnRange{std::max(2, nx - 2), nx}})
+      at_columns.row(j, in.data(), end, out + end.begin);
+    if (std::min(j, ny - 1 - j) < 2) add_row(at_rows, j, c, out);
+  }
   return result;
 }
 

@@ -77,6 +77,8 @@ private:
 };
 
 /// The part of E c that comes from curvature ∫∫ 2 (p_xx p_yy - p_xy²): a sum over the sides.
-std::vector<double> apply_curvature(double curvature, const SplineSpace& space, std::span<const double> c);
+/// `memory` is used for the result.
+std::vector<double> apply_curvature(double curvature, const SplineSpace& space, std::span<const double> c,
+                                    std::vector<double> memory = {});
 
 }  // namespace batten

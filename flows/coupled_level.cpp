@@ -7,6 +7,10 @@
 namespace batten {
 namespace {
 
+// Of the diagonal: what rounding leaves of a matrix in which λ is small. On the sphere there are pairs that neither the
+// data nor the energy see more than that.
+constexpr double unseen_by_rounding = 1e-13;
+
 /// One coefficient for each column, so that what the columns combine to is determined by those: Gaussian elimination.
 std::vector<bool> determining(Eigen::MatrixXd columns, const SplineSpace& psi, const SplineSpace& phi) {
   std::vector<bool> chosen(static_cast<std::size_t>(columns.rows()));
@@ -50,6 +54,7 @@ CoupledLevel::CoupledLevel(const CoupledParts& parts, int level, const CoupledDa
   const auto n = static_cast<Eigen::Index>(size());
   Eigen::SparseMatrix<double> lower(n, n);
   lower.setFromTriplets(entries.begin(), entries.end());
+  lower.diagonal() *= 1 + unseen_by_rounding;
   factorised_.emplace(lower);
 }
 

@@ -303,6 +303,18 @@ TEST(FlowOnASphere, general_converges_on_regions_of_every_size) {
   }
 }
 
+TEST(FlowOnASphere, general_passes_through_vectors_where_rounding_hides_pairs) {
+  // On a conformal map ψ and φ that are conjugate cancel, and the smoothest of them have next to no energy.
+  for (const auto& [vectors, nx, ny] : {std::tuple{20, 16, 20}, {480, 48, 60}}) {
+    const Rectangle region{Interval(-10, 10, nx), Interval(45, 60, ny)};
+    const auto o = places(region, vectors, 7);
+    const auto fit =
+        fit_flow(o, region, {.model = FlowModel::General, .geographic = true, .smoothing = Smoothing::fixed(1e-14)});
+    for (std::size_t i = 0; i < o.size(); ++i)
+      EXPECT_LE(std::hypot(fit.fitted_u[i] - o.u[i], fit.fitted_v[i] - o.v[i]), 1e-3) << vectors;
+  }
+}
+
 TEST(FlowOnASphere, keeps_velocities_within_a_tolerance) {
   const auto o = samples_of(Rotation{}, europe, 100);
   for (const FlowModel model : {FlowModel::Smooth, FlowModel::Irrotational}) {
