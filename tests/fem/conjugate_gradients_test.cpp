@@ -65,5 +65,15 @@ TEST(SolveSystem, takes_a_negative_size_for_no_success) {
   EXPECT_NEAR(solve_system(system, right, c, limits, 1).accuracy, std::sqrt(3), 1e-12);
 }
 
+TEST(SolveSystem, drops_a_start_that_is_worse_than_none) {
+  const Diagonal system({1, 2}, {1, 0.5});
+  const Vector right = {1, 2};
+  Vector c = {1e30, -1e30};  // rounding of its residual hides the right side
+  const auto found = solve_system(system, right, c, limits, 0);
+  EXPECT_LE(found.accuracy, limits.accuracy);
+  EXPECT_NEAR(c[0], 1, 1e-12);
+  EXPECT_NEAR(c[1], 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace batten
