@@ -121,7 +121,7 @@ void BoundarySolve::iterate() {
       scale = std::sqrt(data.size() == 0 ? std::max(0., dot(v, r)) : dot(v, system_->apply(v)));
     } else {
       multigrid.precondition(r, step);
-      const double size = std::sqrt(std::max(0., dot(r, step)));
+      const double size = std::sqrt(std::abs(dot(r, step)));  // rounding can make r·Br negative
       iterations_.accuracy = size / scale;
       if (iterations_.accuracy <= limits.accuracy || (size > before / 2 && !was_cycle)) break;
       was_cycle = streams && size <= fast * before;

@@ -156,10 +156,12 @@ IterationResult iterate(const System& system, std::span<const double> b, std::sp
   auto& [rz, iterations] = state;
   r.assign(b.begin(), b.end());
   q.resize(b.size());
-  if (!is_zero(c)) residual(system, b, c, r);
-  if (dot(c, r) + dot(c, b) < 0) {  // c·A c > 2 b·c: the start is farther from the solution than 0
-    std::fill(c.begin(), c.end(), 0.);
-    r.assign(b.begin(), b.end());
+  if (!is_zero(c)) {
+    residual(system, b, c, r);
+    if (dot(c, r) + dot(c, b) < 0) {  // c·A c > 2 b·c: the start is farther from the solution than 0
+      std::fill(c.begin(), c.end(), 0.);
+      r.assign(b.begin(), b.end());
+    }
   }
   rz = system.precondition(r, z);
   if (scale == 0) scale = norm_of(rz);
