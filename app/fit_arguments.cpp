@@ -3,6 +3,7 @@
 #include <batten/app/fit_help.h>
 #include <batten/app/option_checks.h>
 #include <batten/app/usage_error.h>
+#include <batten/domains/number_text.h>
 
 #include <CLI/CLI.hpp>
 
@@ -50,6 +51,12 @@ void add_surface(CLI::App& parser, FitArguments& a) {
       ->option_text("COL")
       ->needs(tolerance)
       ->group(group);
+  must_be_finite(parser.add_option("--minimum", a.minimum, "the surface is nowhere below V"))
+      ->option_text("V")
+      ->group(group);
+  must_be_finite(parser.add_option("--maximum", a.maximum, "the surface is nowhere above V"))
+      ->option_text("V")
+      ->group(group);
 }
 
 void add_output(CLI::App& parser, FitArguments& a) {
@@ -93,6 +100,9 @@ void check_arguments(const FitArguments& arguments) {
   if (arguments.tension && arguments.energy != "tension") {
     throw UsageError("--tension belongs to --energy tension, found --energy " + arguments.energy);
   }
+  if (arguments.minimum && arguments.maximum && *arguments.minimum >= *arguments.maximum)
+    throw UsageError("--minimum must be below --maximum, found " + number_text(*arguments.minimum) + " and " +
+                     number_text(*arguments.maximum));
   check_arguments(arguments.grid);
   smoothing_of(arguments.smoothing);
 }

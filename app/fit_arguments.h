@@ -23,6 +23,7 @@ struct FitArguments {
   std::optional<double> tension;
   int degree = 3;
   SmoothingArguments smoothing;
+  std::optional<double> minimum, maximum;
   std::optional<double> aspect;
   bool geographic = false;
   GridArguments grid;

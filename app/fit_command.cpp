@@ -20,21 +20,24 @@
 namespace batten {
 namespace {
 
-FitOptions fit_options(const FitArguments& arguments, double aspect, Progress& progress) {
+FitOptions fit_options(const FitArguments& arguments, const FitInput& input, double aspect, Progress& progress) {
   FitOptions options;
   options.energy = energy_of(arguments);
   options.degree = arguments.degree;
   options.smoothing = smoothing_of(arguments.smoothing);
+  options.minimum = arguments.minimum;
+  options.maximum = arguments.maximum;
   options.aspect = aspect;
   options.standard_error = arguments.standard_error;
   options.seed = arguments.smoothing.seed;
+  options.name_of = [&input](std::size_t i) { return "line " + std::to_string(input.lines[i]); };
   options.progress = [&progress](std::string_view phase, double done) { progress.show(phase, done); };
   return options;
 }
 
 std::string unreached_text(const FitArguments& arguments, const FitInput& input, const FitResult& result) {
   const std::size_t worst = result.worst_point;
-  return unreached_text(arguments.smoothing, result.solution.region(),
+  return unreached_text(arguments.smoothing, found_by(result), result.solution.region(),
                         place_of(input, worst) + ", is " +
                             number_text(std::abs(result.fitted[worst] - input.observations.value[worst])) + " away");
 }
@@ -80,7 +83,7 @@ void run_fit(const FitArguments& arguments) {
     seconds.push_back({"mask", watch.lap()});
   }
 
-  const FitResult result = fit_surface(input.observations, region, fit_options(arguments, aspect, progress));
+  const FitResult result = fit_surface(input.observations, region, fit_options(arguments, input, aspect, progress));
   seconds.insert(seconds.end(), result.seconds.begin(), result.seconds.end());
   if (!result.tolerance_reached)
     check_reached(arguments.smoothing, found_by(result), unreached_text(arguments, input, result));

@@ -22,11 +22,18 @@ stretches it like a membrane beyond.
 
 --smoothing auto chooses LAMBDA by generalised cross-validation, none comes as
 close to the points as the grid allows. --tolerance E gives the surface of
-least energy with |p(x_i,y_i) - z_i| <= E at every point.
+least energy with |p(x_i,y_i) - z_i| <= E at every point, to 0.1 % of that
+energy; where the grid cannot come within E, the least E that it can is named.
+
+--minimum V and --maximum V hold everywhere, between the points too, and with
+every kind of smoothing (auto finds its LAMBDA without them). What is bounded
+are the coefficients of the same surface on cells an eighth as wide, which it
+lies between.
 
 Examples:
   batten fit examples/data/topo.csv --x x --y y --value z -o topo.vti
-  batten fit examples/data/rmprecip.csv --x lon --y lat --value precipitation --geographic -o rain.vti --picture rain.png --view map)";
+  batten fit examples/data/rmprecip.csv --x lon --y lat --value precipitation --geographic -o rain.vti --picture rain.png --view map
+  batten fit examples/data/rmprecip.csv --x lon --y lat --value precipitation --geographic --minimum 0 -o rain.vti)";
 
 const char* const evaluate_help = R"(
 Writes the columns x, y, value and, with --derivatives, dx, dy, dxx, dxy, dyy,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/constraint_report.h>
 #include <batten/app/fit_report.h>
 #include <batten/io/output_file.h>
 
@@ -64,6 +65,9 @@ Json report_json(const FitAccount& account) {
   json["effective_degrees"] = result.effective_degrees ? Json(*result.effective_degrees) : Json();
   json["rms_residual"] = result.rms_residual;
   json["max_residual"] = worst_point_json(account);
+  json["minimum"] = arguments.minimum ? Json(*arguments.minimum) : Json();
+  json["maximum"] = arguments.maximum ? Json(*arguments.maximum) : Json();
+  json.update(Json::parse(constraint_json(result.constraints)));
   json["iterations"] = result.iterations;
   json["search_iterations"] = result.search_iterations;
   json["refinement_iterations"] = result.refinement_iterations;
@@ -78,7 +82,8 @@ Json report_json(const FitAccount& account) {
 }  // namespace
 
 SmoothingFound found_by(const FitResult& result) {
-  return {result.lambda, result.tolerance_reached, result.no_interior_minimum};
+  return {result.lambda, result.tolerance_reached, result.no_interior_minimum,
+          result.constraints ? result.constraints->least_tolerance : std::nullopt};
 }
 
 void write_report(const std::filesystem::path& path, const FitAccount& account) {

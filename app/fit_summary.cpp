@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/constraint_report.h>
 #include <batten/app/fit_outputs.h>
 #include <batten/app/fit_report.h>
 #include <batten/app/grid_text.h>
@@ -26,7 +27,7 @@ std::string surface_line(const FitAccount& account) {
                      smoothing_text(account.arguments->smoothing, found_by(result)) + ", energy " +
                      number_text(result.energy);
   if (result.effective_degrees) line += ", " + number_text(*result.effective_degrees) + " effective degrees of freedom";
-  return line;
+  return line + constraint_text(result.constraints);
 }
 
 std::string residual_line(const FitAccount& account) {

@@ -33,7 +33,7 @@ FlowOptions flow_options(const FlowArguments& arguments, Progress& progress) {
 }
 
 std::string unreached_text(const FlowArguments& arguments, const FlowInput& input, const FlowResult& result) {
-  return unreached_text(arguments.smoothing, result.field.region(),
+  return unreached_text(arguments.smoothing, found_by(result), result.field.region(),
                         place_of(input, result.worst_point) + ", is " + number_text(result.largest_residual) + " away");
 }
 

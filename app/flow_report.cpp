@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/constraint_report.h>
 #include <batten/app/fit_report.h>
 #include <batten/app/flow_report.h>
 #include <batten/io/output_file.h>
@@ -66,6 +67,7 @@ Json report_json(const FlowAccount& account) {
   json["tolerance_reached"] = tolerance ? Json(account.result->tolerance_reached) : Json();
   add_result(*account.result, json);
   json["max_residual"] = worst_json(account);
+  json.update(Json::parse(constraint_json(account.result->constraints)));
   json["streamlines"] = account.streamlines;
   Json seconds = Json::object();
   for (const PhaseTime& time : account.seconds) seconds[time.phase] = seconds.value(time.phase, 0.) + time.seconds;
@@ -79,7 +81,8 @@ Json report_json(const FlowAccount& account) {
 }  // namespace
 
 SmoothingFound found_by(const FlowResult& result) {
-  return {result.lambda, result.tolerance_reached, result.no_interior_minimum};
+  return {result.lambda, result.tolerance_reached, result.no_interior_minimum,
+          result.constraints ? result.constraints->least_tolerance : std::nullopt};
 }
 
 void write_report(const FlowAccount& account) {

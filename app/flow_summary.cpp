@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/constraint_report.h>
 #include <batten/app/fit_report.h>
 #include <batten/app/flow_outputs.h>
 #include <batten/app/flow_report.h>
@@ -14,7 +15,7 @@ std::string field_line(const FlowAccount& account) {
                      smoothing_text(account.arguments->smoothing, found_by(result)) + ", energy " +
                      number_text(result.energy);
   if (result.effective_degrees) line += ", " + number_text(*result.effective_degrees) + " effective degrees of freedom";
-  return line;
+  return line + constraint_text(result.constraints);
 }
 
 std::string residual_line(const FlowAccount& account) {

@@ -56,9 +56,15 @@ std::string smoothing_text(const SmoothingArguments& arguments, const SmoothingF
   return "lambda " + number_text(found.lambda);
 }
 
-std::string unreached_text(const SmoothingArguments& arguments, const Rectangle& grid, const std::string& worst) {
+std::string unreached_text(const SmoothingArguments& arguments, const SmoothingFound& found, const Rectangle& grid,
+                           const std::string& worst) {
+  constexpr int digits = 5;
+  const std::string least = found.least_tolerance
+                                ? ", and the least that is reachable is " + number_text(*found.least_tolerance, digits)
+                                : "";
   return "the tolerance " + number_text(arguments.tolerance.value_or(0)) + " is not reachable on this grid of " +
-         std::to_string(grid.x.cells()) + " x " + std::to_string(grid.y.cells()) + " cells: the worst point, " + worst;
+         std::to_string(grid.x.cells()) + " x " + std::to_string(grid.y.cells()) + " cells: the worst point, " + worst +
+         least;
 }
 
 void check_reached(const SmoothingArguments& arguments, const SmoothingFound& found, const std::string& unreached) {

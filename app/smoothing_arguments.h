@@ -27,6 +27,7 @@ struct SmoothingArguments {
 struct SmoothingFound {
   double lambda = 0;
   bool tolerance_reached = true, no_interior_minimum = false;
+  std::optional<double> least_tolerance;
 };
 
 /// Adds --smoothing, --tolerance (which it returns), --allow and --seed to a group; `arguments` must outlive the
@@ -42,8 +43,9 @@ bool interpolates(const SmoothingArguments& arguments);
 /// "lambda 1e-06 by cross-validation"
 std::string smoothing_text(const SmoothingArguments& arguments, const SmoothingFound& found);
 
-/// That the tolerance is not reachable on this grid; `worst`: "line 7 at (1, 2), is 3 away".
-std::string unreached_text(const SmoothingArguments& arguments, const Rectangle& grid, const std::string& worst);
+/// That the tolerance is not reachable on this grid, and which one is; `worst`: "line 7 at (1, 2), is 3 away".
+std::string unreached_text(const SmoothingArguments& arguments, const SmoothingFound& found, const Rectangle& grid,
+                           const std::string& worst);
 
 /// Throws InvalidInput with the text of `unreached_text` if a tolerance has not been reached and that is not allowed.
 void check_reached(const SmoothingArguments& arguments, const SmoothingFound& found, const std::string& unreached);

@@ -108,6 +108,18 @@ double Balls::violation(std::span<const double> v) const {
   return worst;
 }
 
+std::size_t Balls::active() const {
+  double largest = 0;
+  for (std::size_t i = 0; i < cones_.size(); ++i)
+    largest = std::max(largest, length(cones_[i].multiplier) * radius_[i]);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cones_.size(); ++i) {
+    const Cone& c = cones_[i];
+    count += length(c.multiplier) * radius_[i] / largest > 1 - length(c.slack) / c.slack[0];
+  }
+  return count;
+}
+
 std::vector<double> Balls::force() const {
   std::vector<double> force(cones_.size() * rows_);
   for (std::size_t i = 0; i < cones_.size(); ++i) put(i, cones_[i].multiplier, force);

@@ -24,6 +24,7 @@ public:
   double count() const override { return static_cast<double>(cones_.size()); }
   double room() const override { return room_after(0); }
   double violation(std::span<const double> v) const override;
+  std::size_t active() const override;
   std::vector<double> force() const override;
   double gain(std::span<const double> force) const override;
   RowWeights weights() const override;

@@ -8,11 +8,11 @@
 
 namespace batten {
 
-Boxes::Boxes(const std::vector<double>& lower, const std::vector<double>& upper, std::vector<double> unit)
-    : unit_(std::move(unit)) {
+Boxes::Boxes(std::vector<double> lower, std::vector<double> upper, std::vector<double> unit)
+    : lower_(std::move(lower)), upper_(std::move(upper)), unit_(std::move(unit)) {
   for (std::size_t i = 0; i < unit_.size(); ++i) {
-    if (std::isfinite(upper[i])) ends_.push_back({i, 1, upper[i] - margin * unit_[i]});
-    if (std::isfinite(lower[i])) ends_.push_back({i, -1, lower[i] + margin * unit_[i]});
+    if (std::isfinite(upper_[i])) ends_.push_back({i, 1, upper_[i] - margin * unit_[i]});
+    if (std::isfinite(lower_[i])) ends_.push_back({i, -1, lower_[i] + margin * unit_[i]});
   }
 }
 
@@ -27,8 +27,17 @@ void Boxes::start(std::span<const double> v, double room) {
 
 double Boxes::violation(std::span<const double> v) const {
   double worst = 0;
-  for (const End& e : ends_) worst = std::max(worst, e.sign * (v[e.row] - e.bound) / unit_[e.row] - margin);
+  for (std::size_t i = 0; i < unit_.size(); ++i)
+    worst = std::max({worst, (v[i] - upper_[i]) / unit_[i], (lower_[i] - v[i]) / unit_[i]});
   return worst;
+}
+
+std::size_t Boxes::active() const {
+  double largest = 0;
+  for (const End& e : ends_) largest = std::max(largest, e.multiplier * unit_[e.row]);
+  return static_cast<std::size_t>(std::count_if(ends_.begin(), ends_.end(), [&](const End& e) {
+    return e.multiplier * unit_[e.row] / largest > e.slack / unit_[e.row];
+  }));
 }
 
 std::vector<double> Boxes::force() const {
@@ -37,10 +46,11 @@ std::vector<double> Boxes::force() const {
   return force;
 }
 
+// Infinite where a force pushes towards an end that is not there.
 double Boxes::gain(std::span<const double> force) const {
   double sum = 0;
-  for (const End& e : ends_)
-    if (force[e.row] * e.sign < 0) sum -= force[e.row] * (e.bound + e.sign * margin * unit_[e.row]);
+  for (std::size_t i = 0; i < unit_.size(); ++i)
+    if (force[i] != 0) sum -= force[i] * (force[i] > 0 ? lower_[i] : upper_[i]);
   return sum;
 }
 

@@ -9,12 +9,13 @@ namespace batten {
 class Boxes : public FeasibleSet {
 public:
   /// lower + 2 margin unit < upper. `unit`: positive, the width in which violations of row i are measured.
-  Boxes(const std::vector<double>& lower, const std::vector<double>& upper, std::vector<double> unit);
+  Boxes(std::vector<double> lower, std::vector<double> upper, std::vector<double> unit);
 
   void start(std::span<const double> v, double room) override;
   double count() const override { return static_cast<double>(ends_.size()); }
   double room() const override { return room_after(0); }
   double violation(std::span<const double> v) const override;
+  std::size_t active() const override;
   std::vector<double> force() const override;
   double gain(std::span<const double> force) const override;
   RowWeights weights() const override;
@@ -35,7 +36,7 @@ private:
     double wanted = 0;  ///< (slack + change)(multiplier + change) to first order
   };
 
-  std::vector<double> unit_;
+  std::vector<double> lower_, upper_, unit_;
   std::vector<End> ends_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/blocks.h>
+#include <batten/bases/blossom.h>
 #include <batten/bases/wavefront.h>
 #include <batten/fem/data_term.h>
 
@@ -38,11 +39,21 @@ std::vector<std::size_t> cell_order(const GridPoints& p, const SplineSpace& spac
 }
 
 bool GridPoints::are_slopes() const {
-  return !kind.empty() && std::find(kind.begin(), kind.end(), Measured::Value) == kind.end();
+  const auto sees_constants = [](Measured m) { return m == Measured::Value || m == Measured::Coefficient; };
+  return !kind.empty() && std::none_of(kind.begin(), kind.end(), sees_constants);
+}
+
+bool GridPoints::have_coefficients() const {
+  return std::find(kind.begin(), kind.end(), Measured::Coefficient) != kind.end();
+}
+
+bool GridPoints::have_slopes() const {
+  const auto is_slope = [](Measured m) { return m == Measured::SlopeX || m == Measured::SlopeY; };
+  return std::any_of(kind.begin(), kind.end(), is_slope);
 }
 
 DataTerm::DataTerm(const SplineSpace& space, const GridPoints& points, bool stored)
-    : space_(space), points_(&points), stored_(stored || points.size() > space.size()) {
+    : space_(space), points_(&points), stored_(stored || points.size() > space.size() || points.have_coefficients()) {
   const auto& y = space.y.interval();
   row_start_.assign(static_cast<std::size_t>(y.cells()) + 1, 0);
   for (double t : points.y) ++row_start_[static_cast<std::size_t>(y.cell_of(t)) + 1];
@@ -59,7 +70,11 @@ PointRow DataTerm::row(std::size_t point) const {
   if (!rows_.empty()) return rows_[point];
   const Measured kind = points_->kind.empty() ? Measured::Value : points_->kind[point];
   const bool slope_x = kind == Measured::SlopeX, slope_y = kind == Measured::SlopeY;
-  const auto x = space_.x.at(points_->x[point], slope_x), y = space_.y.at(points_->y[point], slope_y);
+  const bool is_coefficient = kind == Measured::Coefficient;
+  const auto local = [&](const SplineBasis& basis, double t, bool is_slope) {
+    return is_coefficient ? refined_coefficient(basis, t, points_->spacing) : basis.at(t, is_slope);
+  };
+  const auto x = local(space_.x, points_->x[point], slope_x), y = local(space_.y, points_->y[point], slope_y);
   PointRow result{x.first, y.first, {}, {}};
   result.x = x.values;
   result.y = y.values;
@@ -89,7 +104,7 @@ void DataTerm::add_absolute_adjoint(std::span<const double> v, std::span<double>
 std::vector<double> DataTerm::compliance(std::span<const double> inverse) const {
   std::vector<double> result(size());
   if (size() == 0) return result;
-  if (points_->kind.empty()) {
+  if (!points_->have_slopes()) {
     std::vector<double> ones(size(), 1.), sum(space_.size());
     add_adjoint(ones, sum);
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] *= inverse[i];
@@ -110,7 +125,7 @@ std::vector<double> DataTerm::compliance(std::span<const double> inverse) const 
 
 std::vector<double> DataTerm::lumped() const {
   std::vector<double> result(space_.size());
-  const bool are_values = points_->kind.empty();
+  const bool are_values = !points_->have_slopes();
   if (stored_ && are_values)
     stencil_.add_product(1, std::vector<double>(result.size(), 1.), result);
   else if (stored_)

@@ -12,14 +12,18 @@
 
 namespace batten {
 
-/// What is measured at a point of a spline p: its value, or a derivative in normalised coordinates.
-enum class Measured : unsigned char { Value, SlopeX, SlopeY };
+/// What is measured at a point of a spline p: its value, or a derivative in normalised coordinates, or the coefficient
+/// of p on a finer grid whose Greville abscissae are the point.
+enum class Measured : unsigned char { Value, SlopeX, SlopeY, Coefficient };
 
 /// Positions of measurements in cells of the finest level, ordered by cell row and then by cell column.
 struct GridPoints {
   std::vector<double> x, y;
   std::vector<Measured> kind;  ///< empty: all are values
+  double spacing = 1;          ///< of the knots of the finer grid of coefficients, in cells
   std::size_t size() const { return x.size(); }
+  bool have_slopes() const;
+  bool have_coefficients() const;
   /// True if there are measurements and none sees a constant.
   bool are_slopes() const;
 };
@@ -38,9 +42,9 @@ std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::si
 /// The data part Σ_i w_i b_i b_i^T of a least-squares fit on one level; b_i holds the values of the basis functions at
 /// point i, or their derivatives where those are measured.
 ///
-/// Few points are applied one by one; where points outnumber the coefficients, their sum is stored as a symmetric
-/// stencil of (2d+1)² entries for each coefficient. Both add fixed blocks of rows in a fixed order: same bits for every
-/// thread count.
+/// Few points are applied one by one; where points outnumber the coefficients, or crowd as those of finer grids do,
+/// their sum is stored as a symmetric stencil of (2d+1)² entries for each coefficient. Both add fixed blocks of rows in
+/// a fixed order: same bits for every thread count.
 class DataTerm {
 public:
   /// `stored` forces the stencil form. The points are kept by reference and must outlive this object.

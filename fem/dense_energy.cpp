@@ -34,18 +34,18 @@ DenseEnergy::DenseEnergy(Eigen::MatrixXd q_matrix, Eigen::VectorXd q, Eigen::Mat
       c_(Eigen::VectorXd::Zero(q_.size())),
       dc_(c_) {}
 
-std::vector<double> DenseEnergy::values() const { return copy(b_ * c_); }
+std::vector<double> DenseEnergy::values() const { return copy(b_.lazyProduct(c_)); }
 
 double DenseEnergy::energy() const { return c_.dot(q_matrix_ * c_) / 2 - q_.dot(c_); }
 
 std::vector<double> DenseEnergy::direction(const RowWeights& weights, std::span<const double> force, double) {
-  const Eigen::MatrixXd a = q_matrix_ + b_.transpose() * weighted(weights, b_);
-  dc_ = a.ldlt().solve(q_ - q_matrix_ * c_ + b_.transpose() * view(force));
-  return copy(b_ * dc_);
+  const Eigen::MatrixXd a = q_matrix_ + b_.transpose().lazyProduct(weighted(weights, b_));  // one thread: the same bits
+  dc_ = a.ldlt().solve(q_ - q_matrix_ * c_ + b_.transpose().lazyProduct(view(force)));
+  return copy(b_.lazyProduct(dc_));
 }
 
 double DenseEnergy::bound(std::span<double> force) {
-  const Eigen::VectorXd pull = q_ + b_.transpose() * view(force);
+  const Eigen::VectorXd pull = q_ + b_.transpose().lazyProduct(view(force));
   return -pull.dot(q_matrix_.ldlt().solve(pull)) / 2;
 }
 

@@ -26,9 +26,11 @@ public:
   virtual double room() const = 0;
   /// Largest distance of v from the set, in units of each row's own width.
   virtual double violation(std::span<const double> v) const = 0;
+  /// Constraints at their end: those with a larger share of the largest multiplier than slack, in units.
+  virtual std::size_t active() const = 0;
   /// The forces of the multipliers.
   virtual std::vector<double> force() const = 0;
-  /// The greatest value of -f·v over all v in the set, which is what forces f can gain there.
+  /// The greatest value of -f·v over all v in the set, which is what forces f can gain there; possibly infinite.
   virtual double gain(std::span<const double> force) const = 0;
 
   /// W of Newton's equations at the present point.

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
+#include <batten/fem/constrained_surface.h>
+#include <batten/fem/contradictions.h>
 #include <batten/fem/cross_validation.h>
 #include <batten/fem/difference_form.h>
 #include <batten/fem/fit.h>
-#include <batten/fem/fit_problem.h>
 #include <batten/fem/near_interpolation.h>
 #include <batten/fem/standard_error.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace batten {
@@ -31,36 +31,6 @@ Smoothing checked(const FitOptions& options) {
   if (options.standard_error && result.kind != Smoothing::Kind::Automatic && result.kind != Smoothing::Kind::Fixed)
     throw InvalidInput("fit_surface: a standard error needs smoothing (automatic or lambda > 0), found interpolation");
   return result;
-}
-
-double tolerance_of(const Observations& o, std::size_t i, double unit) {
-  return o.tolerance.empty() ? unit : unit * o.tolerance[i];
-}
-
-/// Coincident points whose boxes z ± tolerance do not meet cannot both be fitted.
-void check_tolerance(const Observations& o, double unit) {
-  if (!o.tolerance.empty() && o.tolerance.size() != o.size())
-    throw InvalidInput("fit_surface: expected a tolerance for each of " + std::to_string(o.size()) +
-                       " observations, found " + std::to_string(o.tolerance.size()));
-  for (std::size_t i = 0; i < o.tolerance.size(); ++i)
-    if (!(o.tolerance[i] > 0 && std::isfinite(o.tolerance[i])))
-      throw InvalidInput("fit_surface: expected positive tolerances, found " + number_text(o.tolerance[i], 6) +
-                         " at observation " + std::to_string(i + 1));
-  const auto top = [&](std::size_t i) { return o.value[i] + tolerance_of(o, i, unit); };
-  const auto bottom = [&](std::size_t i) { return o.value[i] - tolerance_of(o, i, unit); };
-  // at one place: the box with the lowest top and the one with the highest bottom
-  std::map<std::pair<double, double>, std::pair<std::size_t, std::size_t>> extremes;
-  for (std::size_t i = 0; i < o.size(); ++i) {
-    const auto [at, is_new] = extremes.try_emplace({o.x[i], o.y[i]}, i, i);
-    auto& [low, high] = at->second;
-    if (top(i) < top(low)) low = i;
-    if (bottom(i) > bottom(high)) high = i;
-    if (bottom(high) > top(low))
-      throw InvalidInput("fit_surface: expected values at one place within their tolerances of each other, found " +
-                         number_text(o.value[low], 6) + " (observation " + std::to_string(low + 1) + ") and " +
-                         number_text(o.value[high], 6) + " (observation " + std::to_string(high + 1) + ") at (" +
-                         number_text(o.x[i], 6) + ", " + number_text(o.y[i], 6) + ")");
-  }
 }
 
 ScaledFit solve_automatic(FitProblem& problem, const FitOptions& options, FitResult& result) {
@@ -86,13 +56,6 @@ ScaledFit solve_none(FitProblem& problem, const FitOptions& options, FitResult& 
   result.notes.push_back("no smoothing: " + std::to_string(problem.size()) + " points outnumber " +
                          std::to_string(problem.system().size()) + " coefficients, lambda = 1e-14 is used");
   return solve_fixed(problem, interpolation_lambda, options);
-}
-
-ScaledFit solve_within(FitProblem& problem, const FitData& data, const Observations& o, const FitOptions& options) {
-  std::vector<double> tolerances;
-  for (const std::size_t i : problem.order())
-    tolerances.push_back(tolerance_of(o, data.source[i], options.smoothing.value) / data.scale);
-  return interpolate_within(problem, tolerances, options);
 }
 
 /// Residuals, energy and fitted values in the units of the observations.
@@ -139,39 +102,51 @@ void judge_tolerances(const Observations& o, double unit, FitResult& result) {
     worst = share;
     result.worst_point = i;
   }
-  result.tolerance_reached = worst <= 1;
+  constexpr double rounding = 1e-9;
+  result.tolerance_reached = worst <= 1 + rounding;
+  result.constraints->largest_violation = std::max(0., worst - 1);
+}
+
+void add_constraints(const ConstrainedFit& fit, double tolerance, FitResult& result) {
+  result.constraints = fit.account;
+  if (fit.growth) result.constraints->least_tolerance = *fit.growth * tolerance;
+}
+
+ScaledFit solve_for(const Smoothing& smoothing, FitProblem& problem, const FitOptions& options, FitResult& result) {
+  switch (smoothing.kind) {
+    case Smoothing::Kind::Automatic:
+      return solve_automatic(problem, options, result);
+    case Smoothing::Kind::Fixed:
+      return timed(result.seconds, "solve", [&] { return solve_fixed(problem, smoothing.value, options); });
+    default:
+      return timed(result.seconds, "solve", [&] { return solve_none(problem, options, result); });
+  }
 }
 
 }  // namespace
 
-FitResult fit_surface(const Observations& observations, const Rectangle& region, const FitOptions& options) {
-  const Smoothing smoothing = checked(options);
+FitResult fit_surface(const Observations& observations, const Rectangle& region, const FitOptions& asked) {
+  FitOptions options = asked;
+  const Smoothing smoothing = options.smoothing = checked(asked);
+  const bool is_within = smoothing.kind == Smoothing::Kind::Tolerance;
   std::vector<PhaseTime> seconds;
-  const bool merge = smoothing.kind == Smoothing::Kind::None;
-  const PreparedData prepared = timed(seconds, "prepare", [&] {
-    auto result = prepare(observations, region, options.energy, merge);
-    if (smoothing.kind == Smoothing::Kind::Tolerance) check_tolerance(observations, smoothing.value);
+  PreparedData prepared = timed(seconds, "prepare", [&] {
+    auto result = prepare(observations, region, options.energy, smoothing.kind == Smoothing::Kind::None);
+    check_contradictions(observations, result.data.source, options);
     return result;
   });
-  const FitData& data = prepared.data;
+  FitData& data = prepared.data;
   FitProblem problem = timed(seconds, "set up", [&] { return FitProblem(data, region, options); });
 
   FitResult result{.solution = Solution(region, options.degree, std::vector<double>(problem.system().size()))};
   result.seconds = std::move(seconds);
   ScaledFit fit;
-  switch (smoothing.kind) {
-    case Smoothing::Kind::Automatic:
-      fit = solve_automatic(problem, options, result);
-      break;
-    case Smoothing::Kind::Fixed:
-      fit = timed(result.seconds, "solve", [&] { return solve_fixed(problem, smoothing.value, options); });
-      break;
-    case Smoothing::Kind::None:
-      fit = timed(result.seconds, "solve", [&] { return solve_none(problem, options, result); });
-      break;
-    case Smoothing::Kind::Tolerance:
-      fit = timed(result.seconds, "solve", [&] { return solve_within(problem, data, observations, options); });
-      break;
+  if (!is_within) fit = solve_for(smoothing, problem, options, result);
+  if (is_within || has_bounds(options)) {
+    auto found = timed(result.seconds, "constraints",
+                       [&] { return fit_constrained(problem, data, observations, options, std::move(fit)); });
+    add_constraints(found, smoothing.value, result);
+    fit = std::move(found);
   }
   result.points_outside = prepared.outside;
   result.points_merged = prepared.merged;
@@ -184,7 +159,7 @@ FitResult fit_surface(const Observations& observations, const Rectangle& region,
   data.null_element.add_to(problem.hierarchy().finest().space, coefficients);
   result.solution = Solution(region, options.degree, std::move(coefficients));
   timed(result.seconds, "measure", [&] { measure(observations, data, problem, fit, result); });
-  if (smoothing.kind == Smoothing::Kind::Tolerance) judge_tolerances(observations, smoothing.value, result);
+  if (is_within) judge_tolerances(observations, smoothing.value, result);
 
   if (options.standard_error)
     timed(result.seconds, "standard error", [&] {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <batten/fem/conjugate_gradients.h>
+#include <batten/fem/constraint_account.h>
 #include <batten/fem/energy.h>
 #include <batten/fem/hierarchy.h>
 #include <batten/fem/phase_time.h>
@@ -46,9 +47,13 @@ struct FitOptions {
   int degree = 3;       ///< of the B-splines, 2 or 3
   Smoothing smoothing;  ///< λ = 0 means Smoothing::none()
   double aspect = 1;    ///< one unit of y counts as this many units of x in the energy
+  /// The surface stays within these everywhere. λ is found without them.
+  std::optional<double> minimum, maximum;
   bool standard_error = false;
   IterationLimits limits;
   std::uint64_t seed = 1;  ///< of the random probes of cross-validation and standard error
+  /// What messages call observation i; where there is none, "observation i + 1".
+  std::function<std::string(std::size_t i)> name_of;
   /// Called now and then with the phase ("cross-validation", "solve", ...) and the part of it that is done, 0 to 1.
   std::function<void(std::string_view phase, double done)> progress;
 };
@@ -64,9 +69,10 @@ struct FitResult {
   std::size_t points_outside = 0;           ///< observations outside the region, left out
   std::size_t points_merged = 0;            ///< observations averaged into coincident ones (Smoothing::none only)
   std::optional<double> effective_degrees;  ///< trace of the influence matrix, where it was computed
-  bool no_interior_minimum = false;    ///< cross-validation fell to the lower end of its range: the data look exact
-  bool tolerance_reached = true;       ///< false if Smoothing::within could not be met on this grid
-  int iterations = 0;                  ///< V-cycles of the final solves
+  bool no_interior_minimum = false;  ///< cross-validation fell to the lower end of its range: the data look exact
+  bool tolerance_reached = true;     ///< false if Smoothing::within could not be met on this grid
+  std::optional<ConstraintAccount> constraints;  ///< of tolerances, minimum and maximum, where there are any
+  int iterations = 0;                            ///< V-cycles of the final solves
   int search_iterations = 0;           ///< V-cycles of cross-validation, in units of the finest grid's work, rounded up
   int refinement_iterations = 0;       ///< those of them that refined λ on the finest grid
   double accuracy = 0;                 ///< estimated relative error in the energy norm
@@ -84,8 +90,11 @@ struct FitResult {
 /// sides are natural (free). Observations outside the region are left out. Throws InvalidInput for data that do not
 /// determine the surface (three points not on a line for the thin plate, one point otherwise), for energies of third
 /// derivatives alone, degrees other than 2 and 3, weights that are
-/// negative, not finite or all zero, values that are not finite, coincident points further apart than twice the
-/// tolerance; SolverError if the iteration fails.
+/// negative, not finite or all zero, values that are not finite, and what check_contradictions
+/// finds; SolverError if the iteration fails.
+///
+/// With tolerances or bounds the surface is the one of least energy (or of the least sum above) that keeps them, to the
+/// gap that ConstraintAccount states. Bounds hold everywhere: fit_between says how, and what that costs.
 FitResult fit_surface(const Observations& observations, const Rectangle& region, const FitOptions& options = {});
 
 }  // namespace batten

@@ -141,11 +141,12 @@ GridPoints to_cells(const FitData& d, const Hierarchy& hierarchy) {
     points.y.push_back(space.y.interval().to_cells(d.y[i]));
   }
   points.kind = d.kind;
+  points.spacing = d.spacing;
   return points;
 }
 
 GridPoints in_order(const GridPoints& p, const std::vector<std::size_t>& order) {
-  return {reordered(p.x, order), reordered(p.y, order), p.kind.empty() ? p.kind : reordered(p.kind, order)};
+  return {reordered(p.x, order), reordered(p.y, order), p.kind.empty() ? p.kind : reordered(p.kind, order), p.spacing};
 }
 
 }  // namespace

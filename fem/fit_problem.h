@@ -16,6 +16,7 @@ struct FitData {
   std::vector<double> x, y;         ///< in the observations' own units
   std::vector<double> value;        ///< (z - null element) / scale
   std::vector<Measured> kind;       ///< of the spline or which derivative; empty: all are values
+  double spacing = 1;               ///< where coefficients are measured, that of their knots, in cells
   std::vector<double> weight;       ///< sum 1, all positive
   std::vector<std::size_t> source;  ///< index among the observations (the first of merged ones)
   LinearFunction null_element;      ///< of the observations, in x and y

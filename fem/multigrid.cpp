@@ -32,6 +32,14 @@ void subtract_mean(std::vector<double>& v) {
   for (std::ptrdiff_t i = 0; i < n; ++i) v[static_cast<std::size_t>(i)] -= mean;
 }
 
+/// Coefficients that the data see; the others stay alone in a factorisation.
+std::size_t coupled_coefficients(const SymmetricStencil& data) {
+  std::size_t count = 0;
+  for (int j = 0; j < data.rows(); ++j)
+    for (int i = 0; i < data.columns(); ++i) count += data.entry(i, j, 0, 0) != 0;
+  return count;
+}
+
 }  // namespace
 
 Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
@@ -52,7 +60,7 @@ Multigrid::Multigrid(const Hierarchy& hierarchy, const GridPoints& points)
 bool Multigrid::can_be_data_aware() const {
   const auto& finest = levels_.front();
   const double n = static_cast<double>(finest.size()), count = static_cast<double>(data().size());
-  if (data().is_stored()) return finest.size() <= largest_grid_factor;
+  if (data().is_stored()) return coupled_coefficients(data().stencil()) <= largest_grid_factor;
   const double band = 2. * hierarchy_->degree() + 1;
   return count * (1 + band * band * count / n) / 2 < largest_points_factor;
 }

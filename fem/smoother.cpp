@@ -174,7 +174,8 @@ void Smoother::factor_grid() {
       for (int dy = 0; dy <= std::min(d, ny - 1 - j); ++dy)
         for (int dx = dy == 0 ? 0 : std::max(-d, -i); dx <= std::min(d, nx - 1 - i); ++dx) {
           const auto [column, row] = std::minmax({space.original(i, j), space.original(i + dx, j + dy)});
-          entries.emplace_back(static_cast<int>(row), static_cast<int>(column), data_.stencil().entry(i, j, dx, dy));
+          const double value = data_.stencil().entry(i, j, dx, dy);
+          if (value != 0) entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
         }
     }
   Eigen::SparseMatrix<double> lower(nx * ny, nx * ny);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
+#include <batten/fem/constrained_fit.h>
 #include <batten/fem/cross_validation.h>
 #include <batten/fem/difference_form.h>
 #include <batten/fem/near_interpolation.h>
@@ -90,7 +91,10 @@ ScaledFit solve_for(const Smoothing& smoothing, PenalisedProblem& problem, const
           const double factor = data.rows.kind[row] == Measured::SlopeX ? data.stretch[row] : 1;
           tolerances.push_back(factor * smoothing.value / data.rows.scale);
         }
-        return interpolate_within(problem, tolerances, options);
+        auto found = fit_within(problem, tolerances, options);
+        result.constraints = found.account;
+        if (found.growth) result.constraints->least_tolerance = *found.growth * smoothing.value;
+        return ScaledFit(std::move(found));
       });
   }
 }

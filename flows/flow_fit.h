@@ -50,11 +50,12 @@ struct FlowResult {
   std::optional<double> effective_degrees;  ///< trace of the influence matrix, of 2 rows for each point
   bool no_interior_minimum = false;         ///< as in FitResult
   bool tolerance_reached = true;            ///< false if Smoothing::within could not be met on this grid
-  int iterations = 0, search_iterations = 0;  ///< V-cycles of the final solves, of cross-validation
-  double accuracy = 0;                        ///< estimated relative error in the energy norm
-  std::optional<double> flux;                 ///< from left to right, or upwards, between two walls that are opposite
-  std::optional<double> mean_u, mean_v;       ///< along directions in which the flow is periodic; see fit_flow
-  std::vector<double> fitted_u, fitted_v;     ///< at all observations; NaN outside the region
+  std::optional<ConstraintAccount> constraints;  ///< of tolerances
+  int iterations = 0, search_iterations = 0;     ///< V-cycles of the final solves, of cross-validation
+  double accuracy = 0;                           ///< estimated relative error in the energy norm
+  std::optional<double> flux;              ///< from left to right, or upwards, between two walls that are opposite
+  std::optional<double> mean_u, mean_v;    ///< along directions in which the flow is periodic; see fit_flow
+  std::vector<double> fitted_u, fitted_v;  ///< at all observations; NaN outside the region
   /// Largest |u_x + v_y| over largest |∇v|, both by central differences of evaluated velocities over a thousandth of a
   /// cell, at random points.
   double largest_divergence = 0;
