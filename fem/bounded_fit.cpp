@@ -52,11 +52,12 @@ public:
   }
 
   ConstrainedFit solved() {
-    constexpr int most_rounds = 30;
+    constexpr int most_rounds = 12;
+    constexpr double first_rise = 1000;  // data that lie at a bound can only be met with far more bending
     for (int round = 0; round < most_rounds; ++round) {
       const bool is_within = !add_rows();
       if (is_within && (round == 0 || !move_data())) break;
-      solve();
+      solve(round == 0 ? first_rise : 1);
     }
     fit_.iterations = fit_.account.cycles;
     return std::move(fit_);
@@ -157,10 +158,12 @@ private:
     return limits;
   }
 
-  void solve() {
+  void solve(double rise) {
     FitProblem problem(data_, region_, options_);
+    MeasurementLimits limits = limits_of(problem);
+    limits.rise = rise;
     const int before = fit_.account.cycles;
-    auto next = fit_within(problem, limits_of(problem), std::move(fit_.coefficients), options_);
+    auto next = fit_within(problem, limits, std::move(fit_.coefficients), options_);
     next.lambda = task_.lambda;
     next.account.cycles += before;
     fit_ = std::move(next);

@@ -105,7 +105,7 @@ ConstrainedFit fit_within(PenalisedProblem& problem, const MeasurementLimits& li
   GridEnergy energy(problem, limits.pull, std::move(start));
   Boxes boxes(limits.lower, limits.upper, limits.unit);
   const auto attempt = [&] {
-    boxes.start(energy.values(), std::max(energy.energy(), least_energy) / boxes.count());
+    boxes.start(energy.values(), limits.rise * std::max(energy.energy(), least_energy) / boxes.count());
     const auto found = minimise(energy, boxes, options_for(options));
     account_for(found, boxes, fit);
     return found.converged;

@@ -17,6 +17,7 @@ struct MeasurementLimits {
   std::vector<double> unit;          ///< positive: tolerances, or what violations of other limits are measured in
   std::vector<bool> gives;   ///< a tolerance, which the least one that can be met replaces where it is too small
   std::vector<double> pull;  ///< weights of (value_i - (B c)_i)² / 2 beside the energy; none where empty
+  double rise = 1;           ///< how many times the energy of the start the least one may be: more costs steps
 };
 
 struct ConstrainedFit : ScaledFit {
