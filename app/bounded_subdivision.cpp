@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/bounded_subdivision.h>
+#include <batten/app/curve_subdivision.h>
 #include <batten/app/fit_arguments.h>
 #include <batten/app/grid_output.h>
 #include <batten/app/output_names.h>
@@ -76,7 +77,7 @@ void refuse_others(const SubdivideArguments& a) {
   };
   refuse(!a.boundary.empty(), "--boundary: its sides are free");
   refuse(a.tension && a.scheme.name != "bounded-tension", "--tension");
-  refuse(a.closed || a.interpolate || a.limit || a.smoothing || a.tolerance, "of curves");
+  refuse(asks_for_curve(a) || a.limit, "of curves");
 }
 
 }  // namespace

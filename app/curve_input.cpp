@@ -43,14 +43,17 @@ CurveInput read_curve(const SubdivideArguments& a) {
   std::vector<std::string> columns = a.columns.empty() ? usual_columns(a.input) : a.columns;
   const std::size_t dimension = columns.size();
   if (is_column) columns.push_back(a.parameter);
-  const Table table = read_table(a.input, {columns, false});
+  if (!a.tolerance_column.empty()) columns.push_back(a.tolerance_column);
+  Table table = read_table(a.input, {columns, false});
   CurveInput curve;
   curve.names.assign(table.names.begin(), table.names.begin() + static_cast<std::ptrdiff_t>(dimension));
   const auto n = static_cast<Eigen::Index>(table.lines.size());
   curve.points.resize(n, static_cast<Eigen::Index>(dimension));
   for (std::size_t c = 0; c < dimension; ++c)
     curve.points.col(static_cast<Eigen::Index>(c)) = Eigen::Map<const Eigen::VectorXd>(table.columns[c].data(), n);
-  curve.knots = is_column ? table.columns.back() : curve_parameters(curve.points, power->second, a.closed);
+  if (!a.tolerance_column.empty()) curve.tolerances = std::move(table.columns.back());
+  curve.lines = table.lines;
+  curve.knots = is_column ? table.columns[dimension] : curve_parameters(curve.points, power->second, a.closed);
   if (!is_column) return curve;
   for (std::size_t i = 0; i + 1 < curve.knots.size(); ++i)
     if (!(curve.knots[i] < curve.knots[i + 1]))

@@ -15,6 +15,8 @@ struct CurveInput {
   std::vector<std::string> names;  ///< of the columns
   Eigen::MatrixXd points;
   std::vector<double> knots;
+  std::vector<double> tolerances;  ///< of --tolerance-column
+  std::vector<std::size_t> lines;  ///< of the file, of each point
 };
 
 /// Throws UsageError for options that do not fit, InvalidInput and IoError as read_table and curve_parameters do.

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include <batten/app/curve_input.h>
 #include <batten/app/curve_pictures.h>
+#include <batten/app/curve_report.h>
 #include <batten/app/curve_subdivision.h>
+#include <batten/app/fitted_curve.h>
 #include <batten/app/output_names.h>
 #include <batten/app/progress.h>
 #include <batten/app/scheme_catalogue.h>
+#include <batten/app/stopwatch.h>
 #include <batten/app/usage_error.h>
 #include <batten/bases/subdivide.h>
 #include <batten/domains/number_text.h>
-#include <batten/fem/curve_fit.h>
 #include <batten/io/curve_file.h>
 #include <batten/io/table.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <limits>
+#include <optional>
 
 namespace batten {
 namespace {
@@ -26,28 +32,20 @@ void refuse_others(const SubdivideArguments& a) {
   refuse(!a.boundary.empty(), "--boundary is for grids; a curve is open, or --closed");
   refuse(a.interpolate + a.smoothing.has_value() + a.tolerance.has_value() > 1,
          "--interpolate, --smoothing and --tolerance exclude each other");
-  if (a.scheme.name == natural_cubic) return check_options(a.scheme, {}, {});
+  if (a.scheme.name == natural_cubic) {
+    check_fit(a);
+    return check_options(a.scheme, {}, {});
+  }
   const std::string only = " is for --scheme natural-cubic, found " + a.scheme.name;
   refuse(a.interpolate, "--interpolate" + only);
   refuse(a.smoothing.has_value(), "--smoothing" + only);
   refuse(a.tolerance.has_value(), "--tolerance" + only);
+  refuse(!a.tolerance_column.empty(), "--tolerance-column" + only);
+  refuse(a.minimum.has_value(), "--minimum" + only);
+  refuse(a.maximum.has_value(), "--maximum" + only);
   refuse(a.limit, "--limit" + only);
   refuse(a.show != "result", "--show " + a.show + only);
   refuse(a.parameter != "uniform", "--parameter" + only);
-}
-
-/// The natural cubic that is asked for: with these points as coefficients, or through, near or within bounds of them.
-NaturalCubic natural_curve(const SubdivideArguments& a, const CurveInput& input) {
-  if (a.interpolate) return interpolating_curve(input.knots, input.points, a.closed);
-  if (a.tolerance) {
-    const std::vector<double> tolerances(static_cast<std::size_t>(input.points.rows()), *a.tolerance);
-    return curve_within(input.knots, input.points, tolerances, a.closed);
-  }
-  if (!a.smoothing) return {input.knots, input.points, a.closed};
-  // lambda is stated for parameters from 0 to 1 and the mean of the squares
-  const double length = input.knots.back() - input.knots.front();
-  const double lambda = *a.smoothing * length * length * length * static_cast<double>(input.points.rows());
-  return smoothing_curve(input.knots, input.points, {}, lambda, a.closed);
 }
 
 CurveSamples polygon_of(const ControlPolygon& polygon, const std::string& name, bool closed) {
@@ -71,6 +69,42 @@ CurvePicture subdivided_by_masks(const SubdivideArguments& a, const CurveInput& 
                       {polygon_of(control, "control polygon", a.closed),
                        polygon_of(fine, "level " + std::to_string(a.levels), a.closed)}}}};
   return picture;
+}
+
+/// Values of a curve under bounds, rounding cut off, at parameters as the rounds of refinement have them.
+CurvePicture bounded_picture(const SubdivideArguments& a, const CurveInput& input, const FittedCurve& fitted) {
+  const auto& curve = std::get<HermiteCurve>(fitted.curve);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const int parts = 1 << a.levels;
+  std::vector<double> parameters, values;
+  for (std::size_t cell = 0; cell + 1 < input.knots.size(); ++cell)
+    for (int part = 0; part < parts; ++part)
+      parameters.push_back(std::lerp(input.knots[cell], input.knots[cell + 1], static_cast<double>(part) / parts));
+  if (!a.closed) parameters.push_back(input.knots.back());
+  for (const double t : parameters)
+    values.push_back(std::clamp(curve.value(t), a.minimum.value_or(-infinity), a.maximum.value_or(infinity)));
+  const std::vector<double> places(input.knots.begin(), input.knots.begin() + input.points.rows());
+  const Eigen::Map<const Eigen::VectorXd> result(values.data(), static_cast<Eigen::Index>(values.size()));
+  return {1,
+          {{{"natural cubic within bounds, energy " + std::to_string(fitted.energy),
+             {curve_samples("points", input.points, places, a.closed),
+              curve_samples("limit", result, parameters, a.closed)}}}}};
+}
+
+CurvePicture picture_of(const SubdivideArguments& a, const CurveInput& input, const FittedCurve& fitted) {
+  if (is_bounded(a)) return bounded_picture(a, input, fitted);
+  return natural_picture(a, input.points, std::get<NaturalCubic>(fitted.curve));
+}
+
+std::vector<std::string> notes_of(const SubdivideArguments& a, const FittedCurve& fitted) {
+  constexpr double asked_gap = 1e-3;
+  const std::string as_values = "under --minimum or --maximum values are written, as with --limit";
+  std::vector<std::string> notes;
+  if (is_bounded(a) && !a.limit) notes.push_back(as_values);
+  if (fitted.account && fitted.account->energy_gap > asked_gap)
+    notes.push_back("the energy is known to be the least up to " + number_text(100 * fitted.account->energy_gap, 2) +
+                    " %");
+  return notes;
 }
 
 void write_results(const SubdivideArguments& a, const CurveInput& input, const CurvePicture& picture) {
@@ -99,32 +133,48 @@ bool is_curve(const SubdivideArguments& arguments) {
   return arguments.scheme.name == natural_cubic || has_header(arguments.input);
 }
 
+bool asks_for_curve(const SubdivideArguments& a) {
+  return a.closed || a.interpolate || a.smoothing || a.tolerance || a.minimum || a.maximum ||
+         !a.tolerance_column.empty() || !a.columns.empty() || !a.report.empty();
+}
+
 void subdivide_curve(const SubdivideArguments& a) {
   refuse_others(a);
   check_output_name("-o", a.output, {".vtp", ".csv"});
   check_output_name("--picture", a.picture, {".png"});
+  check_output_name("--report", a.report, {".json"});
+  Stopwatch total, watch;
   Progress progress("batten subdivide", a.quiet);
   progress.show("read");
   const CurveInput input = read_curve(a);
   if (input.points.cols() > 3)
     throw UsageError("--columns: at most three columns are expected, found " + std::to_string(input.points.cols()));
+  const double reading = watch.lap();
   progress.show("subdivide");
-  double energy = -1;
   CurvePicture picture;
+  std::optional<FittedCurve> fitted;
+  std::vector<std::string> notes;
   if (a.scheme.name == natural_cubic) {
-    const NaturalCubic curve = natural_curve(a, input);
-    energy = curve.energy();
-    picture = natural_picture(a, input.points, curve);
+    fitted = fitted_curve(a, input, progress);
+    notes = notes_of(a, *fitted);
+    picture = picture_of(a, input, *fitted);
   } else {
     picture = subdivided_by_masks(a, input);
   }
+  const double subdividing = watch.lap();
   progress.show("write " + a.output);
   write_results(a, input, picture);
+  const std::size_t points_out = picture.charts.back().back().curves.back().x.size();
+  if (!a.report.empty()) {
+    const std::vector<PhaseTime> seconds = {
+        {"read", reading}, {"subdivide", subdividing}, {"write", watch.lap()}, {"total", total.lap()}};
+    write_report({&a, &input, fitted ? &*fitted : nullptr, points_out, notes, seconds});
+  }
   progress.erase();
   if (a.quiet) return;
-  std::cout << a.scheme.name << ": " << input.points.rows() << " points -> "
-            << picture.charts.back().back().curves.back().x.size();
-  if (energy >= 0) std::cout << ", energy " << number_text(energy, 6);
+  for (const std::string& text : notes) std::cerr << "batten: note: " << text << '\n';
+  std::cout << a.scheme.name << ": " << input.points.rows() << " points -> " << points_out;
+  if (fitted) std::cout << ", energy " << number_text(fitted->energy, 6);
   std::cout << "; wrote " << a.output << '\n';
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/curve_subdivision.h>
 #include <batten/app/flow_arrows.h>
 #include <batten/app/flow_picture.h>
 #include <batten/app/flow_samples.h>
@@ -26,8 +27,7 @@ constexpr int default_size = 9;   // recommended by the source
 constexpr int largest_size = 17;  // larger ones gain nothing that shows
 
 void refuse_others(const SubdivideArguments& a) {
-  if (a.interpolate || a.closed || a.smoothing || a.tolerance || !a.columns.empty() || a.show != "result" ||
-      a.parameter != "uniform")
+  if (asks_for_curve(a) || a.show != "result" || a.parameter != "uniform")
     throw UsageError("the input is a flow, for which there are no options of curves");
   if (a.tension || a.rules != "exact") throw UsageError("--tension and --rules are for bounded schemes");
   if (a.boundary == "reflect" || a.boundary == "periodic")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <batten/app/curve_subdivision.h>
 #include <batten/app/grid_output.h>
 #include <batten/app/grid_subdivision.h>
 #include <batten/app/output_names.h>
@@ -55,8 +56,7 @@ GridSamples samples_of(const ControlGrid& grid) {
 }  // namespace
 
 void subdivide_grid(const SubdivideArguments& arguments) {
-  if (arguments.interpolate || arguments.limit || arguments.closed || arguments.smoothing || arguments.tolerance ||
-      !arguments.columns.empty())
+  if (asks_for_curve(arguments) || arguments.limit)
     throw UsageError(
         "the input is a control grid, for which there are no options of curves; a curve's table has a header");
   check_output_name("-o", arguments.output, {".vti", ".csv"});

@@ -28,10 +28,12 @@ struct SubdivideArguments {
   bool closed = false;
   bool interpolate = false;
   std::optional<double> smoothing, tolerance;
-  bool limit = false;  ///< of flows as well
+  std::string tolerance_column;            ///< factors of the tolerance
+  std::optional<double> minimum, maximum;  ///< of one column of values, everywhere
+  bool limit = false;                      ///< of flows as well
   std::string show = "result";
   // What is written.
-  std::string output, picture, view;
+  std::string output, picture, view, report;
   int threads = 0;
   bool quiet = false;
 };

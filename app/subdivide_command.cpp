@@ -33,9 +33,15 @@ least bending energy, whose coefficients are the points, or which passes
   --interpolate    through the points
   --smoothing L    near them: mean of |p(t_i) - b_i|^2 + L int |p''|^2 is least,
                    the parameter running from 0 to 1
-  --tolerance E    within E of each
+  --tolerance E    within E of each, with the least int |p''|^2, up to 0.1 %
+                   (--tolerance-column COL: within E times that column)
+  --minimum V, --maximum V
+                   one column of values, with one of the above: everywhere on
+                   the curve, not only at its points
   --show result | rounds | forces (of E_k p_k: where the strip is held)
          | multiresolution (q_k and the details r_k, down so many --levels)
+  --report OUT.json  energy (int |p''|^2, the parameter running from 0 to 1),
+                   energy_gap, residuals
 
 For grids there are bounded-harmonic, bounded-thin-plate and bounded-tension as
 well: the scheme that the energy has on the rectangle with free sides. --rules
@@ -86,7 +92,8 @@ void run_subdivide(const SubdivideArguments& arguments) {
   const auto names = names_of_schemes();
   if (std::find(names.begin(), names.end(), arguments.scheme.name) == names.end())
     throw UsageError("--scheme: " + unknown_scheme_text(arguments.scheme.name, names));
-  for (const std::string& file : {arguments.output, arguments.picture}) check_not_input(file, arguments.input);
+  for (const std::string& file : {arguments.output, arguments.picture, arguments.report})
+    check_not_input(file, arguments.input);
   set_thread_count(arguments.threads);
   if (is_flow_scheme(arguments.scheme.name)) return subdivide_flow(arguments);
   refuse_flow_options(arguments);
@@ -117,6 +124,11 @@ void add_curve_options(CLI::App& parser, SubdivideArguments& a) {
   parser.add_option("--tolerance", a.tolerance, "natural-cubic so near to each point")
       ->option_text("E")
       ->check(CLI::PositiveNumber);
+  parser.add_option("--tolerance-column", a.tolerance_column, "column of a tolerance for each point, times E")
+      ->option_text("COL");
+  parser.add_option("--minimum", a.minimum, "of one column of values: nowhere below")->option_text("V");
+  parser.add_option("--maximum", a.maximum, "of one column of values: nowhere above")->option_text("V");
+  parser.add_option("--report", a.report, "of curves: energy, gap, residuals")->option_text("OUT.json");
   parser.add_flag("--limit", a.limit, "of curves and flows: points of the limit instead");
   parser.add_option("--show", a.show, "what is written and drawn of natural-cubic")
       ->option_text("WHAT")

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Speed of curves through and near 10^6 points at knots that are not uniform, against what memory allows: knots and
 // points read and coefficients written once, at the triad's bandwidth, measured in the same run. The knots are handed
-// over to the curve, not copied; checks and a second pass over the points count against us.
+// over to the curve, not copied; checks and a second pass over the points count against us. Then the number of banded
+// factorisations within tolerances, and their time in the same unit.
 #include <batten/bench/support/report.h>
 #include <batten/bench/support/timing.h>
 #include <batten/bench/support/triad.h>
 #include <batten/fem/curve_fit.h>
+#include <batten/fem/curve_within.h>
 
 #include <malloc.h>
 
@@ -63,6 +65,29 @@ void measure_dimension(Report& report, Triad& triad, int dimension) {
   }
 }
 
+/// Points within tolerances of a few deviations of their noise, which is uniform: from 1 on hardly any force is left.
+void measure_tolerances(Report& report, Triad& triad, int dimension) {
+  const std::string components = dimension == 1 ? "1 component" : std::to_string(dimension) + " components";
+  report.table("curves within tolerances, " + components,
+               {"points", "tolerance / deviation", "factorisations", "ns / point", "time / bound", "gap"});
+  for (const double deviations : {0.5, 1.5, 3.}) {
+    double first = 0;  // time of a factorisation for each point
+    for (const int n : {1000, 10'000, 100'000, 1'000'000}) {
+      const Input input(n, dimension);
+      const std::vector<double> tolerances(static_cast<std::size_t>(n), 0.1 / std::sqrt(12.) * deviations);
+      CurveAccount account;
+      const double time =
+          1e9 / n * seconds_of([&] { account = least_curve_within(input.knots, input.points, tolerances).account; });
+      const double bound = 1e9 * input.bytes() / n / triad.bytes_per_second(), each = time / account.factorisations;
+      report.row({std::to_string(n), deviations, account.factorisations, time, time / bound, account.energy_gap});
+      report.at_most("factorisations, " + std::to_string(n) + " points", 60, account.factorisations);
+      if (n == 10'000) first = each;
+      if (n > 10'000)
+        report.at_most("cost per point and factorisation, " + std::to_string(n) + " / 10^4", 1.5, each / first);
+    }
+  }
+}
+
 void measure(Report& report) {
   // Memory that is freed is kept: the first touch of new pages is not of interest.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
@@ -70,6 +95,7 @@ void measure(Report& report) {
   Triad triad;
   report.note("triad, GB / s", triad.bytes_per_second() / 1e9);
   for (int dimension : {1, 2}) measure_dimension(report, triad, dimension);
+  for (int dimension : {1, 2}) measure_tolerances(report, triad, dimension);
 }
 
 }  // namespace

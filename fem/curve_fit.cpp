@@ -3,6 +3,7 @@
 #include <batten/domains/errors.h>
 #include <batten/fem/curve_checks.h>
 #include <batten/fem/curve_fit.h>
+#include <batten/fem/curve_within.h>
 #include <batten/fem/interpolation_blocks.h>
 #include <batten/fem/smoothing_blocks.h>
 
@@ -71,37 +72,9 @@ NaturalCubic smoothing_curve(std::vector<double> knots, const Eigen::MatrixXd& p
 
 NaturalCubic curve_within(std::vector<double> knots, const Eigen::MatrixXd& points, std::span<const double> tolerances,
                           bool closed) {
-  constexpr int most = 5000;
-  constexpr double gap = 1e-3, none = 1e-9, inside = 1 - 2e-4, least_weight = 1e-8;
-  if (static_cast<Eigen::Index>(tolerances.size()) != points.rows())
-    throw InvalidInput("curve_within: one tolerance for each of " + std::to_string(points.rows()) +
-                       " points is needed, found " + std::to_string(tolerances.size()));
-  for (std::size_t i = 0; i < tolerances.size(); ++i)
-    if (!(tolerances[i] > 0) || !std::isfinite(tolerances[i]))
-      throw InvalidInput("curve_within: tolerances must be positive, found " + std::to_string(tolerances[i]) +
-                         " at place " + std::to_string(i));
-  NaturalCubic curve = interpolating_curve(knots, points, closed);
-  const double no_energy = none * curve.energy();  // a straight line will do
-  // Force i is weight i times misfit i: the weight that the force needs where the misfit is the tolerance.
-  std::vector<double> weights(tolerances.size());
-  for (int k = 0; k < most; ++k) {
-    const Eigen::VectorXd forces = curve.forces().rowwise().norm();
-    const double largest = std::max(forces.maxCoeff(), 1e-300);
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      weights[i] = std::max(forces[static_cast<Eigen::Index>(i)], least_weight * largest) / (inside * tolerances[i]);
-    curve = smoothing_curve(knots, points, weights, 1, closed);
-    const Eigen::VectorXd misfits = (curve.values() - points).rowwise().norm();
-    bool is_kept = true;
-    double room = 0;  // the energy is at most this much above the least one, by duality
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      const double misfit = misfits[static_cast<Eigen::Index>(i)];
-      is_kept = is_kept && misfit <= tolerances[i];
-      room += weights[i] * (tolerances[i] * tolerances[i] - misfit * misfit);
-    }
-    if (is_kept && room <= std::max(gap * curve.energy(), no_energy)) return curve;
-  }
-  throw SolverError("curve_within: not all points are within their tolerances after " + std::to_string(most) +
-                    " changes of the weights");
+  CurveWithinOptions options;
+  options.closed = closed;
+  return least_curve_within(std::move(knots), points, tolerances, options).curve;
 }
 
 std::vector<double> curve_parameters(const Eigen::MatrixXd& points, double exponent, bool closed) {

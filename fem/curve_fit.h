@@ -21,9 +21,7 @@ NaturalCubic interpolating_curve(std::vector<double> knots, const Eigen::MatrixX
 NaturalCubic smoothing_curve(std::vector<double> knots, const Eigen::MatrixXd& points, std::span<const double> weights,
                              double lambda, bool closed = false);
 
-/// The curve of least energy among those with |p(t_i) - b_i| <= tolerances_i, up to 0.1 % of the energy: weights are
-/// raised where a point is missed and lowered where there is room, until every point is kept [Kersey 2003]. Throws
-/// InvalidInput when a tolerance is not positive, SolverError when it does not end.
+/// The curve of least_curve_within alone.
 NaturalCubic curve_within(std::vector<double> knots, const Eigen::MatrixXd& points, std::span<const double> tolerances,
                           bool closed = false);
 

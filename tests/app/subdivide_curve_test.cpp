@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace batten::test {
@@ -58,6 +60,73 @@ TEST_F(SubdivideCurve, stays_within_a_tolerance) {
   for (std::size_t i = 0; i < px.size(); ++i) largest = std::max(largest, std::hypot(x[i] - px[i], y[i] - py[i]));
   EXPECT_LE(largest, 0.25);
   EXPECT_GT(largest, 0.24);
+}
+
+TEST_F(SubdivideCurve, keeps_a_tolerance_of_each_point) {
+  folder_.write("p.csv", "t,v,factor\n0,0,1\n1,1,4\n2,0,1\n3,1,0.5\n4,0,2\n");
+  const auto v = curve(
+      "p.csv --columns v --parameter t --scheme natural-cubic --tolerance 0.1 --tolerance-column factor "
+      "--limit --levels 0 --report r.json",
+      "v");
+  const std::vector<double> points = {0, 1, 0, 1, 0}, factors = {1, 4, 1, 0.5, 2};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(v[i], points[i], 0.1 * factors[i]);
+  EXPECT_LT(v[1], 0.65);
+  const auto report = nlohmann::json::parse(folder_.read("r.json"));
+  EXPECT_LE(report["energy_gap"], 1e-3);
+  EXPECT_GT(report["energy"], 0);
+  EXPECT_EQ(report["largest_violation"], 0);
+  EXPECT_TRUE(report["least_tolerance"].is_null());
+  EXPECT_GT(report["active"], 0);
+  EXPECT_LE(report["factorisations"], 60);
+  EXPECT_NEAR(report["max_residual"]["value"].get<double>(), 1 - v[1], 1e-14);
+  EXPECT_EQ(report["max_residual"]["line"], 3);
+}
+
+// ∫ p''² with the parameter from 0 to 1 is what --smoothing L multiplies: of 0, 1, 0 at t = 0, 4, 8 second differences
+// are -2, ∫ p''² = 3/2 · 4 for unit cells, and cells of 1/2 have 8 times that.
+TEST_F(SubdivideCurve, reports_the_energy_of_the_parameter_from_0_to_1) {
+  folder_.write("p.csv", "t,v\n0,0\n4,1\n8,0\n");
+  curve("p.csv --columns v --parameter t --scheme natural-cubic --interpolate --report r.json", "v");
+  const auto report = nlohmann::json::parse(folder_.read("r.json"));
+  EXPECT_NEAR(report["energy"].get<double>(), 48, 1e-12);
+  EXPECT_TRUE(report["energy_gap"].is_null());
+  EXPECT_EQ(report["points_out"], 17);
+  curve("examples/data/hand.csv --scheme four-point --report r.json", "y");
+  EXPECT_EQ(nlohmann::json::parse(folder_.read("r.json"))["scheme"], "four-point");
+}
+
+TEST_F(SubdivideCurve, stays_between_bounds_everywhere) {
+  folder_.write("p.csv", "t,v\n0,0\n1,0\n2,0\n3,1\n4,5\n5,5\n6,0\n7,0\n8,0\n9,0\n10,3\n11,0\n");
+  for (const std::string way : {"--interpolate", "--smoothing 1e-6", "--tolerance 0.2"}) {
+    const auto v = curve(
+        "p.csv --columns v --parameter t --scheme natural-cubic --minimum 0 --maximum 5 --limit " + way + " --levels 6",
+        "v");
+    ASSERT_THAT(v, SizeIs(11 * 64 + 1));
+    EXPECT_GE(*std::min_element(v.begin(), v.end()), 0);
+    EXPECT_LE(*std::max_element(v.begin(), v.end()), 5);
+    EXPECT_NEAR(v[4 * 64], 5, 0.4);  // far from its bound below
+  }
+}
+
+TEST_F(SubdivideCurve, says_what_bounds_and_tolerances_cannot_be) {
+  folder_.write("p.csv", "t,v,e\n0,0,1\n1,7,1\n2,-3,0\n");
+  const std::string natural = "p.csv -o a.csv --columns v --parameter t --scheme natural-cubic ";
+  expect_failure(folder_, natural + "--interpolate --maximum 6", 1, "line 3: the value 7 is above --maximum 6");
+  expect_failure(folder_, natural + "--tolerance 2 --minimum 0", 1,
+                 "line 4: the value -3 and all within 2 of it is below --minimum 0");
+  expect_failure(folder_, natural + "--tolerance 2 --tolerance-column e", 1,
+                 "line 4: a tolerance must be positive, found 0");
+  expect_failure(folder_, natural + "--interpolate --minimum 1 --maximum 0", 2, "--minimum must be below --maximum");
+  expect_failure(folder_, natural + "--interpolate --tolerance-column e", 2, "--tolerance-column needs --tolerance E");
+  expect_failure(folder_, natural + "--minimum 0", 2, "need --interpolate, --smoothing or --tolerance");
+  expect_failure(folder_, natural + "--interpolate --minimum -9 --show forces", 2,
+                 "--show forces is for curves without");
+  expect_failure(folder_, natural + "--interpolate --report a.txt", 2, "--report: the name must end with .json");
+  expect_failure(folder_, "p.csv -o a.csv --columns t v --scheme natural-cubic --interpolate --minimum -9", 2,
+                 "are for one column of values, found 2");
+  expect_failure(folder_, "p.csv -o a.csv --scheme four-point --maximum 1", 2,
+                 "--maximum is for --scheme natural-cubic");
+  expect_failure(folder_, "p.csv -o a.csv --scheme slow-flow --report r.json", 2, "no options of curves");
 }
 
 TEST_F(SubdivideCurve, smooths_towards_the_line_of_regression) {
