@@ -70,7 +70,7 @@ struct Coupled {
     lambda = value;
     psi.set(lambda, psi.weight());
     phi.set(ratio * lambda, phi.weight());
-    cycle.set(lambda, psi.weight());
+    cycle.set(lambda, PairWeights(psi.weight()));
   }
   Vector apply(const Vector& c) const {
     Vector result(c.size());
@@ -119,7 +119,7 @@ TEST(CrossStencil, multiplies_as_the_rows_do) {
     Coupled few(100, 16, ends);
     few.set(1e-3);
     CoupledData stored(few.parts, 0);
-    stored.set(few.psi.weight(), true);
+    stored.set(PairWeights(few.psi.weight()), true);
     ASSERT_FALSE(few.cycle.data().is_stored());
     expect_same_products(few.cycle.data(), stored, coefficients(few, 0, 1));
   }
@@ -130,10 +130,10 @@ TEST(CrossStencil, coarser_levels_are_those_of_the_same_rows) {
     Coupled many(3000, 32, ends);
     many.set(1e-3);
     CoupledData fine(many.parts, 0), by_rows(many.parts, 1), shared(many.parts, 1);
-    fine.set(many.psi.weight(), true);
-    by_rows.set(many.psi.weight(), true);
+    fine.set(PairWeights(many.psi.weight()), true);
+    by_rows.set(PairWeights(many.psi.weight()), true);
     const Vector c = coefficients(many, 1, 1);
-    shared.share(by_rows.psi(), by_rows.phi(), many.psi.weight(), &fine);
+    shared.share(by_rows.psi(), by_rows.phi(), PairWeights(many.psi.weight()), &fine);
     Vector a(c.size()), b(c.size());
     by_rows.add_cross(1, c, a);
     shared.add_cross(1, c, b);
