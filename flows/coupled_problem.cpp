@@ -80,7 +80,7 @@ void CoupledProblem::find_unseen() {
       for (std::size_t i = 0; i < size(); ++i)
         seen(static_cast<Eigen::Index>(i), k) = std::sqrt(weight()[i]) * measured[i];
     }
-    const SymmetricEigensystem parts = symmetric_eigensystem(seen.transpose() * seen);
+    const SymmetricEigensystem parts = symmetric_eigensystem(tall_products(seen, seen));
     const double largest = parts.values.maxCoeff();
     const auto unseen = (parts.values.array() <= unseen_part * largest).count();  // the first ones
     combine = (combine * parts.vectors.leftCols(unseen)).eval();

@@ -4,6 +4,7 @@
 #include <batten/flows/flow_fit.h>
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <cmath>
 #include <numbers>
@@ -195,6 +196,24 @@ TEST(CoupledCycle, iterations_depend_neither_on_lambda_nor_on_the_cells) {
         EXPECT_LE(fit.iterations, 30) << vectors << " vectors, " << cells << " cells, lambda " << lambda;
       }
     }
+}
+
+// In a small region of the sphere there are pairs that the data hardly see, found from the products of many rows.
+TEST(CoupledProblem, has_the_same_bits_for_every_number_of_threads) {
+  const Rectangle region{Interval(0, 1, 16), Interval(0, 1, 16)};
+  const auto o = noisy_vectors(4000);
+  const int before = omp_get_max_threads();
+  std::vector<Vector> results;
+  for (const int threads : {1, 2, 3}) {
+    omp_set_num_threads(threads);
+    const auto fit =
+        fit_flow(o, region, {.model = FlowModel::General, .geographic = true, .smoothing = Smoothing::fixed(1e-2)});
+    const auto c = fit.field.stream()->coefficients();
+    results.emplace_back(c.begin(), c.end());
+  }
+  omp_set_num_threads(before);
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
 }
 
 }  // namespace
