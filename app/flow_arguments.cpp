@@ -64,6 +64,9 @@ void add_output(CLI::App& parser, FlowArguments& a) {
       ->required()
       ->option_text("OUT.vti|OUT.vtu")
       ->group(group);
+  parser.add_option("--points-out", a.points_out, "the vectors with velocity, fit, residual (fit - velocity), weight")
+      ->option_text("OUT.vtp")
+      ->group(group);
   auto* const count = parser.add_option("--streamlines", a.streamlines, "trace N streamlines, evenly spaced")
                           ->option_text("N")
                           ->check(CLI::Range(1, most_streamlines))

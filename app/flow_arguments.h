@@ -31,7 +31,7 @@ struct FlowArguments {
   GridArguments grid;
   std::optional<int> streamlines;
   std::string seeds, parameter;
-  std::string output, streamlines_out, picture, report;
+  std::string output, points_out, streamlines_out, picture, report;
   std::optional<std::array<int, 2>> pixels;  ///< width and height of the picture
   RunArguments run;
 };

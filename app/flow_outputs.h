@@ -27,7 +27,7 @@ struct FlowOutputs {
   std::vector<CurveSamples> streamlines;
 };
 
-/// Writes the field, the streamlines and the picture, as far as they are asked for.
+/// Writes the field, the vectors, the streamlines and the picture, as far as they are asked for.
 void write_outputs(const FlowOutputs& outputs, Progress& progress);
 
 }  // namespace batten

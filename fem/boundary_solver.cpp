@@ -111,7 +111,7 @@ void BoundarySolve::iterate() {
   double scale = 0;  // energy norm of the solution: accuracies are relative to it
   for (int k = 0; k < most_steps; ++k) {
     set_residual(r);
-    for (std::size_t i = 0; i < pull.size(); ++i) pull[i] = force_[i] + data.weights()[i] * miss[i];
+    for (std::size_t i = 0; i < pull.size(); ++i) pull[i] = force_[i] + data.weights().diagonal[i] * miss[i];
     data.add_adjoint(pull, r);
     IterationLimits limits = options_.limits;
     if (k == 0) {
@@ -141,7 +141,7 @@ void BoundarySolve::iterate() {
     data.values(v, miss);
     for (std::size_t i = 0; i < miss.size(); ++i) {
       miss[i] = target[i] - miss[i];
-      force_[i] += data.weights()[i] * miss[i];
+      force_[i] += data.weights().diagonal[i] * miss[i];
     }
     if (options_.progress) options_.progress("solve", (k + 1.) / most_steps);
   }

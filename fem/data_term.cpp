@@ -2,13 +2,16 @@
 #include <batten/bases/blocks.h>
 #include <batten/bases/blossom.h>
 #include <batten/bases/wavefront.h>
+#include <batten/domains/errors.h>
 #include <batten/fem/data_term.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <string>
 #include <tuple>
+#include <utility>
 
 namespace batten {
 namespace {
@@ -124,23 +127,24 @@ std::vector<double> DataTerm::compliance(std::span<const double> inverse) const 
 }
 
 std::vector<double> DataTerm::lumped() const {
-  std::vector<double> result(space_.size());
   const bool are_values = !points_->have_slopes();
-  if (stored_ && are_values)
+  if (stored_ && (!are_values || are_paired_)) return stencil_.absolute_row_sums();
+  std::vector<double> result(space_.size());
+  if (stored_) {
     stencil_.add_product(1, std::vector<double>(result.size(), 1.), result);
-  else if (stored_)
-    return stencil_.absolute_row_sums();
-  else if (are_values)
-    add_adjoint(weights_, result);
-  else {
-    std::vector<double> sums(size());  // w_i Σ_j |b_i[j]|
-    for (std::size_t i = 0; i < size(); ++i) {
-      const PointRow one = absolute_row(i);
-      sums[i] = weights_[i] * std::accumulate(one.x.begin(), one.x.end(), 0.) *
-                std::accumulate(one.y.begin(), one.y.end(), 0.);
-    }
-    add_absolute_adjoint(sums, result);
+    return result;
   }
+  std::vector<double> weights = weights_.lumped();
+  if (are_values) {
+    add_adjoint(weights, result);
+    return result;
+  }
+  for (std::size_t i = 0; i < size(); ++i) {  // w_i Σ_j |b_i[j]|
+    const PointRow one = absolute_row(i);
+    weights[i] =
+        weights[i] * std::accumulate(one.x.begin(), one.x.end(), 0.) * std::accumulate(one.y.begin(), one.y.end(), 0.);
+  }
+  add_absolute_adjoint(weights, result);
   return result;
 }
 
@@ -175,9 +179,14 @@ void DataTerm::for_rows(int begin, int end, Work&& work) const {
   }
 }
 
-void DataTerm::set_weights(std::span<const double> weights) {
-  if (revision_ > 0 && std::equal(weights.begin(), weights.end(), weights_.begin(), weights_.end())) return;
-  weights_.assign(weights.begin(), weights.end());
+void DataTerm::set_weights(PairWeights weights) {
+  if (revision_ > 0 && weights == weights_) return;
+  for (std::size_t i = 0; weights.are_paired() && i < size(); i += 2)
+    if (points_->x[i] != points_->x[i + 1] || points_->y[i] != points_->y[i + 1])
+      throw InvalidInput("DataTerm: expected rows " + std::to_string(i + 1) + " and " + std::to_string(i + 2) +
+                         ", which have a weight beside the diagonal, at one point");
+  weights_ = std::move(weights);
+  are_paired_ = weights_.are_paired();
   ++revision_;
   finer_revision_ = 0;
   if (!stored_) return;
@@ -189,7 +198,8 @@ void DataTerm::set_weights(std::span<const double> weights) {
 
 void DataTerm::set_from_finer(const DataTerm& finer, const TensorSum& restriction) {
   if (finer_revision_ == finer.revision_) return;
-  weights_.clear();
+  weights_ = {};
+  are_paired_ = finer.are_paired_;
   ++revision_;
   finer_revision_ = finer.revision_;
   stencil_ = finer.stencil_.galerkin(restriction);
@@ -211,8 +221,9 @@ void DataTerm::accumulate_cell_row(int cell_row) {
     std::fill_n(sum.begin(), n * n * n * n, 0.);
     for (std::size_t k = start[cell]; k < start[cell + 1]; ++k) {
       const PointRow point = row(order[k]);
-      add_to_cell_sum(static_cast<int>(n), {&point, 1}, {&weights_[order[k]], 1}, sum);
+      add_to_cell_sum(static_cast<int>(n), {&point, 1}, {&weights_.diagonal[order[k]], 1}, sum);
     }
+    if (are_paired_) add_pairs(std::span(order).subspan(start[cell], start[cell + 1] - start[cell]), sum);
     for (std::size_t b = 0; b < n; ++b)
       for (std::size_t f = b; f < n; ++f)
         for (std::size_t a = 0; a < n; ++a)
@@ -220,6 +231,13 @@ void DataTerm::accumulate_cell_row(int cell_row) {
             stencil_.entries(cell_row + static_cast<int>(b), static_cast<int>(e) - static_cast<int>(a),
                              static_cast<int>(f - b))[cell + a] += sum[(b * n + f) * n * n + a * n + e];
   }
+}
+
+/// What stands beside the weights of some points, pair by pair.
+void DataTerm::add_pairs(std::span<const std::size_t> points, CellSum& sum) const {
+  for (std::size_t k = 0; k < points.size(); k += 2)
+    add_pair_to_cell_sum(space_.x.degree() + 1, row(points[k]), row(points[k + 1]), weights_.beside[points[k] / 2],
+                         sum);
 }
 
 void DataTerm::values(std::span<const double> c, std::span<double> out) const {
@@ -252,10 +270,15 @@ void DataTerm::add_normal_row(int j, RowRange range, double factor, std::span<co
   if (stored_) return stencil_.add_row(j, factor, c, out.data() + static_cast<std::ptrdiff_t>(j) * space_.x.size());
   // cell row j adds to rows j .. j + d; the first row of the range also needs those before it
   const int first = j > range.begin ? j : std::max(0, j - space_.y.degree());
-  for_rows(std::min(first, space_.y.interval().cells()), std::min(j + 1, space_.y.interval().cells()),
-           [&](std::size_t point, std::span<const PointRow> rows) {
-             add_point_products(grid(), rows, weights_.data() + point, factor, c.data(), out.data(), range);
-           });
+  for_rows(
+      std::min(first, space_.y.interval().cells()), std::min(j + 1, space_.y.interval().cells()),
+      [&](std::size_t point, std::span<const PointRow> rows) {
+        const double* w = weights_.diagonal.data() + point;
+        if (are_paired_)
+          add_pair_products(grid(), rows, {w, weights_.beside.data() + point / 2}, factor, c.data(), out.data(), range);
+        else
+          add_point_products(grid(), rows, w, factor, c.data(), out.data(), range);
+      });
 }
 
 }  // namespace batten

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <batten/fem/operator.h>
+#include <batten/fem/pair_weights.h>
 #include <batten/fem/point_kernels.h>
 #include <batten/fem/symmetric_stencil.h>
 
@@ -39,8 +40,9 @@ std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::si
   return result;
 }
 
-/// The data part Σ_i w_i b_i b_i^T of a least-squares fit on one level; b_i holds the values of the basis functions at
-/// point i, or their derivatives where those are measured.
+/// The data part B^T W B = Σ_i w_i b_i b_i^T of a least-squares fit on one level; b_i holds the values of the basis
+/// functions at point i, or their derivatives where those are measured. Pairs of rows at one point may have weights
+/// beside the diagonal, and Σ_i w_i b_i b_i^T stands for B^T W B with these too.
 ///
 /// Few points are applied one by one; where points outnumber the coefficients, or crowd as those of finer grids do,
 /// their sum is stored as a symmetric stencil of (2d+1)² entries for each coefficient. Both add fixed blocks of rows in
@@ -55,12 +57,13 @@ public:
   /// True if there are measurements and none sees a constant.
   bool are_slopes() const { return points_->are_slopes(); }
 
-  /// The weights w_i, in the order of the points.
-  void set_weights(std::span<const double> weights);
+  /// The weights w_i, in the order of the points. Throws InvalidInput if rows of a pair are not at one point.
+  void set_weights(std::span<const double> weights) { set_weights(PairWeights(weights)); }
+  void set_weights(PairWeights weights);
   /// The weights of the finer level's term, from its stencil: R^T (Σ_i w_i b_i b_i^T) R. Both terms must be stored;
   /// weights() is empty afterwards. Does nothing if the finer term has not changed since.
   void set_from_finer(const DataTerm& finer, const TensorSum& restriction);
-  std::span<const double> weights() const { return weights_; }
+  const PairWeights& weights() const { return weights_; }
 
   /// out_i = Σ_j b_i[j] c_j: the measurements of the spline.
   void values(std::span<const double> c, std::span<double> out) const;
@@ -72,7 +75,7 @@ public:
   /// the sum instead, three times as many iterations).
   std::vector<double> compliance(std::span<const double> inverse) const;
   /// The diagonal of a matrix that is at least Σ_i w_i b_i b_i^T: B^T w of values, which are not negative and sum to 1;
-  /// of derivatives |B|^T W |B| 1, or sums of the absolute entries of the stencil.
+  /// of derivatives |B|^T W |B| 1, or sums of the absolute entries of the stencil. W of pairs is lumped first.
   std::vector<double> lumped() const;
   /// out += factor Σ_i w_i b_i (b_i · c)
   void add_normal(double factor, std::span<const double> c, std::span<double> out) const;
@@ -94,6 +97,7 @@ private:
   template <typename Work>
   void for_rows(int begin, int end, Work&& work) const;
   void accumulate_cell_row(int cell_row);
+  void add_pairs(std::span<const std::size_t> points, CellSum& sum) const;
   PointRow absolute_row(std::size_t point) const;
   void add_absolute_adjoint(std::span<const double> v, std::span<double> c) const;
   PointGrid grid() const { return {space_.x.size(), space_.x.degree() + 1}; }
@@ -102,7 +106,8 @@ private:
   const GridPoints* points_;
   bool stored_;
   std::vector<std::size_t> row_start_;
-  std::vector<double> weights_;
+  PairWeights weights_;
+  bool are_paired_ = false;     // also where a stencil is all that is known of them
   int revision_ = 0;            // counts the changes of weights
   int finer_revision_ = 0;      // that the stencil was made from, 0: from weights
   std::vector<PointRow> rows_;  // point form

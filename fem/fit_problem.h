@@ -58,7 +58,9 @@ public:
   const std::vector<double>& weight() const override { return weight_; }
   const std::vector<std::size_t>& order() const override { return order_; }
   using PenalisedProblem::set;
-  void set(double lambda, std::span<const double> weights) override { system_.set(lambda, weights); }
+  void set(double lambda, std::span<const double> weights, std::span<const double> beside) override {
+    system_.set(lambda, weights, beside);
+  }
   bool can_predict() const override { return system_.can_predict(); }
   double apply(std::span<const double> c, std::span<double> out) const override { return system_.apply(c, out); }
   void apply_energy(std::span<const double> c, std::span<double> out) const override {

@@ -65,25 +65,20 @@ bool Multigrid::can_be_data_aware() const {
   return count * (1 + band * band * count / n) / 2 < largest_points_factor;
 }
 
-void Multigrid::set(double lambda, std::span<const double> weights) {
+void Multigrid::set(double lambda, std::span<const double> weights, std::span<const double> beside) {
   if (!(lambda > 0)) throw InvalidInput("Multigrid::set: expected lambda > 0, found " + std::to_string(lambda));
-  if (lambda == lambda_ && std::equal(weights.begin(), weights.end(), data().weights().begin(), data().weights().end()))
-    return;
+  PairWeights w(weights, beside);
+  if (lambda == lambda_ && w == data().weights()) return;
   lambda_ = 0;  // until all levels are set: a factorisation may fail
-  std::vector<double> w(weights.begin(), weights.end());
-  const auto soften = [&](const Smoother& level) {
-    const auto give = level.compliance();
-    for (std::size_t i = 0; i < w.size(); ++i) w[i] = 1 / (1 / w[i] + give[i]);
-  };
   auto& finest = levels_.front();
   finest.set(lambda, w, Smoother::Kind::Plain);
   const auto give = finest.compliance();
   double stiffness = 0;
-  for (std::size_t i = 0; i < w.size(); ++i) stiffness = std::max(stiffness, w[i] * give[i]);
+  for (std::size_t i = 0; i < w.size(); ++i) stiffness = std::max(stiffness, w.diagonal[i] * give[i]);
   data_aware_ = levels_.size() > 1 && stiffness > 0.5 && can_be_data_aware();
   if (data_aware_) finest.set(lambda, w, Smoother::Kind::DataAware);
   for (std::size_t k = 1; k < levels_.size(); ++k) {
-    if (data_aware_) soften(levels_[k - 1]);
+    if (data_aware_) w.soften(levels_[k - 1].compliance());
     if (!data_aware_ && levels_[k - 1].data().is_stored())
       levels_[k].set_from_finer(levels_[k - 1]);
     else

@@ -17,17 +17,17 @@ namespace batten {
 /// Where the coefficients of the energy vary, coarse levels are visited twice (a W-cycle): transfers do not know of
 /// jumps of the coefficients, and with one visit the number of iterations would grow by one or two with each level.
 /// Transfers are B-spline refinement. The energy on coarse levels is exact. Where the data are stiff compared with the
-/// energy, the finest level smooths data-aware and each coarser level sees its points on springs in series, 1/w_i <-
-/// 1/w_i + comp_i with the compliance of the level above: what a point asks of a coarse function, the finer level can
-/// give by bending near that point. The number of iterations then depends neither on λ nor on the size. Without points
-/// and with constant coefficients the V-cycle is the one of StreamedCycle.
+/// energy, the finest level smooths data-aware and each coarser level sees its points on springs in series, W^-1 <-
+/// W^-1 + diag(comp) with the compliance of the level above: what a point asks of a coarse function, the finer level
+/// can give by bending near that point. The number of iterations then depends neither on λ nor on the size. Without
+/// points and with constant coefficients the V-cycle is the one of StreamedCycle.
 class Multigrid {
 public:
   /// Both are kept by reference and must outlive this object.
   Multigrid(const Hierarchy& hierarchy, const GridPoints& points);
 
-  /// Weights in the order of the points, all positive; λ > 0.
-  void set(double lambda, std::span<const double> weights);
+  /// Weights in the order of the points, all positive, and what stands beside them, as of PairWeights; λ > 0.
+  void set(double lambda, std::span<const double> weights, std::span<const double> beside = {});
 
   const Hierarchy& hierarchy() const { return *hierarchy_; }
   const DataTerm& data() const { return levels_.front().data(); }

@@ -23,8 +23,11 @@ public:
   virtual const std::vector<std::size_t>& order() const = 0;  ///< index of each measurement as it was given
   std::size_t size() const { return value().size(); }
 
-  /// A = λ E + B^T W B from now on, with weights of one's own, all positive, or those of the data.
-  virtual void set(double lambda, std::span<const double> weights) = 0;
+  /// A = λ E + B^T W B from now on, with weights of one's own, all positive, or those of the data. `beside`: none, or
+  /// x_k of each pair of measurements 2k and 2k + 1 at one point, whose weights are the positive definite block
+  /// [[w_2k, x_k], [x_k, w_2k+1]], as of PairWeights.
+  virtual void set(double lambda, std::span<const double> weights, std::span<const double> beside) = 0;
+  void set(double lambda, std::span<const double> weights) { set(lambda, weights, {}); }
   void set(double lambda) { set(lambda, weight()); }
   /// As Multigrid::can_predict.
   virtual bool can_predict() const = 0;

@@ -80,6 +80,19 @@ template <std::size_t n>
     }
 }
 
+template <std::size_t n>
+[[gnu::always_inline]] inline void add_both_products(const PointRow& b_0, const PointRow& b_1, double x, double* sum) {
+  double xx[n * n], transposed[n * n];
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t e = 0; e < n; ++e) xx[a * n + e] = transposed[e * n + a] = b_0.x[a] * b_1.x[e];
+  for (std::size_t b = 0; b < n; ++b)
+    for (std::size_t f = b; f < n; ++f) {
+      const double y = x * b_0.y[b] * b_1.y[f], y_transposed = x * b_1.y[b] * b_0.y[f];
+      double* s = sum + (b * n + f) * n * n;
+      for (std::size_t k = 0; k < n * n; ++k) s[k] += y * xx[k] + y_transposed * transposed[k];
+    }
+}
+
 constexpr RowRange all_rows = {0, std::numeric_limits<int>::max()};
 
 }  // namespace
@@ -115,12 +128,34 @@ void add_point_products(const PointGrid& grid, std::span<const PointRow> rows, c
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v3", "default")]]
+#endif
+void add_pair_products(const PointGrid& grid, std::span<const PointRow> rows, const PairPointers& weights,
+                       double factor, const double* c, double* out, RowRange within) {
+  with_constant<2, 6>(grid.functions, [&](auto functions) [[gnu::always_inline]] {
+    for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
+      const double a = factor * value<functions>(rows[i], grid.stride, c),
+                   b = factor * value<functions>(rows[i + 1], grid.stride, c), x = weights.x[i / 2];
+      add_within<functions>(rows[i], grid.stride, weights.w[i] * a + x * b, out, within);
+      add_within<functions>(rows[i + 1], grid.stride, x * a + weights.w[i + 1] * b, out, within);
+    }
+  });
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #endif
 void add_to_cell_sum(int functions, std::span<const PointRow> rows, std::span<const double> w, CellSum& sum) {
   with_constant<2, 6>(functions, [&](auto n) [[gnu::always_inline]] {
     for (std::size_t i = 0; i < rows.size(); ++i) add_products<n>(rows[i], w[i], sum.data());
   });
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#endif
+void add_pair_to_cell_sum(int functions, const PointRow& b_0, const PointRow& b_1, double x, CellSum& sum) {
+  with_constant<2, 6>(functions, [&](auto n) [[gnu::always_inline]] { add_both_products<n>(b_0, b_1, x, sum.data()); });
 }
 
 }  // namespace batten

@@ -60,7 +60,7 @@ Smoother::Smoother(const Hierarchy::Level& level, const GridPoints& points, bool
       energy_diagonal_(level.energy.diagonal_rows()),
       row_sums_(static_cast<std::size_t>(level.space.y.size())) {}
 
-void Smoother::set(double lambda, std::span<const double> weights, Kind kind) {
+void Smoother::set(double lambda, const PairWeights& weights, Kind kind) {
   lambda_ = lambda;
   data_.set_weights(weights);
   set_diagonal(kind);
@@ -120,10 +120,11 @@ double Smoother::stiffness() const {
   return lambda_ * *std::max_element(entries.begin(), entries.end()) * static_cast<double>(size());
 }
 
-// K_ij = δ_ij / w_i + Σ_c b_i[c] b_j[c] / D_c over the coefficients that points i and j share.
+// K_ij = (W^-1)_ij + Σ_c b_i[c] b_j[c] / D_c over the coefficients that points i and j share.
 void Smoother::factor_points() {
   const int d = level_->space.x.degree(), n = level_->space.x.size(), rows = level_->space.y.interval().cells();
   const std::size_t count = data_.size();
+  const PairWeights give = data_.weights().inverse();
   std::vector<int> starts = {0}, indices;
   std::vector<double> values;
   for (std::size_t i = 0; i < count; ++i) {
@@ -137,7 +138,7 @@ void Smoother::factor_points() {
       for (std::size_t j = low; j < high; ++j) {
         const auto b = data_.row(j);
         if (b.first_x > a.first_x + d) break;
-        double sum = i == j ? 1 / data_.weights()[i] : 0;
+        double sum = give.entry(i, j);
         for (int q = std::max(a.first_y, b.first_y); q <= std::min(a.first_y, b.first_y) + d; ++q)
           for (int p = std::max(a.first_x, b.first_x); p <= std::min(a.first_x, b.first_x) + d; ++p) {
             const auto ap = static_cast<std::size_t>(p - a.first_x), aq = static_cast<std::size_t>(q - a.first_y);
@@ -158,7 +159,7 @@ void Smoother::factor_points_around() {
   const Eigen::SparseMatrix<double> b = data_.columns();
   const Eigen::Map<const Eigen::VectorXd> inverse(inverse_diagonal_.data(), b.rows());
   Eigen::SparseMatrix<double> k = b.transpose() * (inverse.asDiagonal() * b);
-  for (Eigen::Index i = 0; i < k.rows(); ++i) k.coeffRef(i, i) += 1 / data_.weights()[static_cast<std::size_t>(i)];
+  add_lower_triangle(data_.weights().inverse(), k);
   points_factor_.emplace(Eigen::SparseMatrix<double>(k.triangularView<Eigen::Lower>()));
 }
 

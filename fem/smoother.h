@@ -33,7 +33,7 @@ public:
   Smoother(const Hierarchy::Level& level, const GridPoints& points, bool stored = false);
 
   /// Sets λ and the weights of the points. Throws SolverError if K cannot be factored.
-  void set(double lambda, std::span<const double> weights, Kind kind);
+  void set(double lambda, const PairWeights& weights, Kind kind);
   /// The same λ and weights as the finer level, plain; the stencil of the data comes from the finer one.
   void set_from_finer(const Smoother& finer);
 

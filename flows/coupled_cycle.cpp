@@ -39,13 +39,14 @@ void CoupledCycle::find_coupled(double lambda) {
 }
 
 /// True if the data outweigh the energy on the finest level.
-bool CoupledCycle::are_stiff(std::span<const double> weights) const {
+bool CoupledCycle::are_stiff(const PairWeights& weights) const {
   if (first_ > 0) return false;
   const auto of_psi = parts_.stream.system().level(0).compliance(),
              of_phi = parts_.potential.system().level(0).compliance();
   double stiffness = 0;
   for (std::size_t i = 0; i < weights.size(); ++i)
-    stiffness = std::max(stiffness, weights[i] * (of_psi[i] + parts_.factor[i] * parts_.factor[i] * of_phi[i]));
+    stiffness =
+        std::max(stiffness, weights.diagonal[i] * (of_psi[i] + parts_.factor[i] * parts_.factor[i] * of_phi[i]));
   return stiffness > stiff_data;
 }
 
@@ -58,7 +59,7 @@ bool CoupledCycle::can_be_data_aware() const {
 }
 
 /// The data of a level: those that ψ and φ have, unless weights are softened or a direct solution asks for stencils.
-void CoupledCycle::set_data(int level, std::span<const double> weights, bool are_softened) {
+void CoupledCycle::set_data(int level, const PairWeights& weights, bool are_softened) {
   auto& data = data_[static_cast<std::size_t>(level)];
   const auto &psi = parts_.stream.system(), &phi = parts_.potential.system();
   if (are_softened || psi.is_data_aware() || phi.is_data_aware() ||
@@ -68,7 +69,7 @@ void CoupledCycle::set_data(int level, std::span<const double> weights, bool are
              level > 0 ? &data_[static_cast<std::size_t>(level - 1)] : nullptr);
 }
 
-void CoupledCycle::set(double lambda, std::span<const double> weights) {
+void CoupledCycle::set(double lambda, const PairWeights& weights) {
   levels_.clear();
   direct_.reset();
   find_coupled(lambda);
@@ -77,7 +78,7 @@ void CoupledCycle::set(double lambda, std::span<const double> weights) {
   while (last_ + 1 < parts_.levels() &&
          parts_.psi(last_).space.kept() > (stiff ? largest_direct_stiff : largest_direct))
     ++last_;
-  Vector w(weights.begin(), weights.end());
+  PairWeights w = weights;
   for (int k = 0; k <= last_; ++k) {
     const auto& data = data_[static_cast<std::size_t>(k)];
     set_data(k, w, is_aware && k > 0);
@@ -86,9 +87,7 @@ void CoupledCycle::set(double lambda, std::span<const double> weights) {
         {CoupledSmoother(parts_, k, data, lambda), CoupledSmoother::Work(2 * parts_.psi(k).space.size())});
     auto& smoother = levels_.back().smoother;
     smoother.set(k == 0 && is_aware ? Smoother::Kind::DataAware : Smoother::Kind::Plain, w);
-    if (!is_aware) continue;
-    const auto give = smoother.compliance();
-    for (std::size_t i = 0; i < w.size(); ++i) w[i] = 1 / (1 / w[i] + give[i]);
+    if (is_aware) w.soften(smoother.compliance());
   }
   direct_.emplace(parts_, last_, data_[static_cast<std::size_t>(last_)], lambda, unseen_(last_));
 }

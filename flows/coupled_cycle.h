@@ -27,7 +27,7 @@ public:
   CoupledCycle(const CoupledParts& parts, std::function<Eigen::MatrixXd(int level)> unseen);
 
   /// For the λ and weights that both problems have already.
-  void set(double lambda, std::span<const double> weights);
+  void set(double lambda, const PairWeights& weights);
   /// out = B r
   void apply(std::span<const double> r, std::vector<double>& out) const;
   /// The data on the finest level, with the weights set.
@@ -40,9 +40,9 @@ private:
     CoupledSmoother::Work work;
   };
   void find_coupled(double lambda);
-  bool are_stiff(std::span<const double> weights) const;
+  bool are_stiff(const PairWeights& weights) const;
   bool can_be_data_aware() const;
-  void set_data(int level, std::span<const double> weights, bool are_softened);
+  void set_data(int level, const PairWeights& weights, bool are_softened);
   void cycle(int level, std::span<const double> b, Vector& x) const;
   void cycle_apart(int level, std::span<const double> b, Vector& x) const;
   void correct_below(int level, std::span<const double> r, Vector& coarse) const;

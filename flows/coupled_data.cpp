@@ -5,19 +5,17 @@ namespace batten {
 
 CoupledData::CoupledData(const CoupledParts& parts, int level) : parts_(parts), level_(level) {}
 
-void CoupledData::set(std::span<const double> weights, bool stored) {
+void CoupledData::set(const PairWeights& weights, bool stored) {
   if (!own_psi_ || (stored && !own_psi_->is_stored())) {
     own_psi_.emplace(parts_.psi(level_).space, parts_.stream.points(), stored);
     own_phi_.emplace(parts_.phi(level_).space, parts_.potential.points(), stored);
   }
-  std::vector<double> of_phi(weights.begin(), weights.end());
-  for (std::size_t i = 0; i < weights.size(); ++i) of_phi[i] *= parts_.factor[i] * parts_.factor[i];
   own_psi_->set_weights(weights);
-  own_phi_->set_weights(of_phi);
+  own_phi_->set_weights(weights.scaled(parts_.factor));
   set_cross(weights, nullptr);
 }
 
-void CoupledData::share(const DataTerm& psi, const DataTerm& phi, std::span<const double> weights,
+void CoupledData::share(const DataTerm& psi, const DataTerm& phi, const PairWeights& weights,
                         const CoupledData* finer) {
   own_psi_.reset();
   own_phi_.reset();
@@ -26,18 +24,19 @@ void CoupledData::share(const DataTerm& psi, const DataTerm& phi, std::span<cons
   set_cross(weights, finer);
 }
 
-void CoupledData::set_cross(std::span<const double> weights, const CoupledData* finer) {
-  const bool same = std::equal(weights.begin(), weights.end(), weights_.begin(), weights_.end());
-  if (same && !cross_.is_empty()) return;
-  weights_.assign(weights.begin(), weights.end());
+void CoupledData::set_cross(const PairWeights& weights, const CoupledData* finer) {
+  if (weights == weights_ && !cross_.is_empty()) return;
+  weights_ = weights;
   cross_ = {};
   if (!is_stored()) return;
   if (finer && !finer->cross_.is_empty()) {
     cross_ = finer->cross_.galerkin(*parts_.psi(level_ - 1).restriction, *parts_.phi(level_ - 1).restriction);
     return;
   }
-  std::vector<double> factored = weights_;
-  for (std::size_t i = 0; i < size(); ++i) factored[i] *= parts_.factor[i];
+  CrossWeights factored{weights_.diagonal, {}};
+  for (std::size_t i = 0; i < size(); ++i) factored.own[i] *= parts_.factor[i];
+  for (std::size_t i = 0; weights_.are_paired() && i < size(); ++i)
+    factored.beside.push_back(weights_.beside[i / 2] * parts_.factor[i % 2 == 0 ? i + 1 : i - 1]);
   cross_ = CrossStencil(parts_.psi(level_).space, psi(), phi(), factored);
 }
 
@@ -59,7 +58,12 @@ void CoupledData::add_adjoint(std::span<const double> v, std::span<double> c) co
 void CoupledData::add_normal(double factor, std::span<const double> c, std::span<double> out) const {
   if (!is_stored()) {
     auto v = values(c);
-    for (std::size_t i = 0; i < size(); ++i) v[i] *= factor * weights_[i];
+    if (weights_.are_paired()) {
+      weights_.multiply(v);
+      for (double& force : v) force *= factor;
+    } else {
+      for (std::size_t i = 0; i < size(); ++i) v[i] *= factor * weights_.diagonal[i];
+    }
     return add_adjoint(v, out);
   }
   psi().add_normal(factor, psi_of(c), psi_of(out));
@@ -76,13 +80,25 @@ void CoupledData::add_cross(double factor, std::span<const double> c, std::span<
   std::vector<double> of_psi(size()), of_phi(size());
   psi().values(psi_of(c), of_psi);
   phi().values(phi_of(c), of_phi);
-  for (std::size_t i = 0; i < size(); ++i) {
-    const double w = factor * weights_[i] * parts_.factor[i];
-    of_psi[i] *= w;
-    of_phi[i] *= w;
-  }
+  multiply_cross(factor, of_psi, of_phi);
   psi().add_adjoint(of_phi, psi_of(out));
   phi().add_adjoint(of_psi, phi_of(out));
+}
+
+/// of_psi <- factor F W of_psi, of_phi <- factor W F of_phi
+void CoupledData::multiply_cross(double factor, std::vector<double>& of_psi, std::vector<double>& of_phi) const {
+  if (!weights_.are_paired()) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double w = factor * weights_.diagonal[i] * parts_.factor[i];
+      of_psi[i] *= w;
+      of_phi[i] *= w;
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < size(); ++i) of_phi[i] *= factor * parts_.factor[i];
+  weights_.multiply(of_psi);
+  weights_.multiply(of_phi);
+  for (std::size_t i = 0; i < size(); ++i) of_psi[i] *= factor * parts_.factor[i];
 }
 
 std::vector<double> CoupledData::lumped() const {

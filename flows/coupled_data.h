@@ -25,18 +25,18 @@ struct CoupledParts {
   int levels() const { return std::min(stream.hierarchy().size(), potential.hierarchy().size()); }
 };
 
-/// The data part Σ_i w_i b_i b_i^T of ψ and φ on one level, b_i = (a_i, factor_i a'_i) with the rows a_i of ψ and a'_i
-/// of φ. Coefficients are those of ψ and then those of φ.
+/// The data part B^T W B = Σ_i w_i b_i b_i^T of ψ and φ on one level, b_i = (a_i, factor_i a'_i) with the rows a_i of ψ
+/// and a'_i of φ. Coefficients are those of ψ and then those of φ.
 class CoupledData {
 public:
   /// The problems are kept by reference.
   CoupledData(const CoupledParts& parts, int level);
 
   /// `stored` asks for stencils; else they are kept where rows outnumber the coefficients of one of the two.
-  void set(std::span<const double> weights, bool stored);
-  /// The terms of ψ and of φ exist already, with weights w_i and w_i factor_i²; kept by reference. `finer`: the same
-  /// data on the next finer level, or none.
-  void share(const DataTerm& psi, const DataTerm& phi, std::span<const double> weights, const CoupledData* finer);
+  void set(const PairWeights& weights, bool stored);
+  /// The terms of ψ and of φ exist already, with weights W and F W F, F = diag(factor); kept by reference. `finer`: the
+  /// same data on the next finer level, or none.
+  void share(const DataTerm& psi, const DataTerm& phi, const PairWeights& weights, const CoupledData* finer);
 
   std::size_t size() const { return weights_.size(); }
   bool is_stored() const { return psi().is_stored(); }
@@ -60,13 +60,14 @@ public:
   Eigen::SparseMatrix<double> columns() const;
 
 private:
-  void set_cross(std::span<const double> weights, const CoupledData* finer);
+  void set_cross(const PairWeights& weights, const CoupledData* finer);
+  void multiply_cross(double factor, std::vector<double>& of_psi, std::vector<double>& of_phi) const;
 
   CoupledParts parts_;
   int level_;
   std::optional<DataTerm> own_psi_, own_phi_;
   const DataTerm *shared_psi_ = nullptr, *shared_phi_ = nullptr;
-  std::vector<double> weights_;
+  PairWeights weights_;
   CrossStencil cross_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace batten {
 namespace {
@@ -79,7 +80,7 @@ void CoupledProblem::find_unseen() {
       for (std::size_t i = 0; i < size(); ++i)
         seen(static_cast<Eigen::Index>(i), k) = std::sqrt(weight()[i]) * measured[i];
     }
-    const SymmetricEigensystem parts = symmetric_eigensystem(seen.transpose() * seen);
+    const SymmetricEigensystem parts = symmetric_eigensystem(tall_products(seen, seen));
     const double largest = parts.values.maxCoeff();
     const auto unseen = (parts.values.array() <= unseen_part * largest).count();  // the first ones
     combine = (combine * parts.vectors.leftCols(unseen)).eval();
@@ -101,13 +102,16 @@ Eigen::MatrixXd CoupledProblem::unseen_on(int level) const {
   return result;
 }
 
-void CoupledProblem::set(double lambda, std::span<const double> weights) {
-  weights_.assign(weights.begin(), weights.end());
-  std::vector<double> more = weights_;
-  for (std::size_t i = 0; i < size(); ++i) more[i] *= factor_[i] * factor_[i];
-  stream_.set(lambda, weights_);
-  potential_.set(flow_.ratio * lambda, more);
-  cycle_->set(lambda, weights_);
+void CoupledProblem::set(double lambda, std::span<const double> weights, std::span<const double> beside) {
+  PairWeights w(weights, beside);
+  if (lambda == lambda_ && w == weights_) return;
+  lambda_ = 0;  // until all is set: a factorisation may fail
+  const PairWeights more = w.scaled(factor_);
+  stream_.set(lambda, w.diagonal, w.beside);
+  potential_.set(flow_.ratio * lambda, more.diagonal, more.beside);
+  cycle_->set(lambda, w);
+  lambda_ = lambda;
+  weights_ = std::move(w);
 }
 
 double CoupledProblem::apply(std::span<const double> c, std::span<double> out) const {

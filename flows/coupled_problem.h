@@ -39,7 +39,7 @@ public:
   const std::vector<double>& weight() const override { return stream_.weight(); }
   const std::vector<std::size_t>& order() const override { return stream_.order(); }
   using PenalisedProblem::set;
-  void set(double lambda, std::span<const double> weights) override;
+  void set(double lambda, std::span<const double> weights, std::span<const double> beside) override;
   bool can_predict() const override { return false; }
   double apply(std::span<const double> c, std::span<double> out) const override;
   void apply_energy(std::span<const double> c, std::span<double> out) const override;
@@ -67,7 +67,8 @@ private:
   std::vector<double> factor_;         // by which each row measures the slope of φ
   std::vector<QuadraticPair> unseen_;  // with orthonormal coefficients
   Eigen::MatrixXd null_space_;         // these
-  std::vector<double> weights_;
+  double lambda_ = 0;                  // none is set
+  PairWeights weights_;
   std::optional<CoupledCycle> cycle_;
 };
 

@@ -25,7 +25,7 @@ std::vector<double> energy_diagonal(const CoupledParts& parts, int level) {
 CoupledSmoother::CoupledSmoother(const CoupledParts& parts, int level, const CoupledData& data, double lambda)
     : parts_(parts), level_(level), data_(&data), lambda_(lambda), diagonal_(energy_diagonal(parts, level)) {}
 
-void CoupledSmoother::set(Smoother::Kind kind, std::span<const double> weights) {
+void CoupledSmoother::set(Smoother::Kind kind, const PairWeights& weights) {
   factor_.reset();
   inverse_.assign(size(), 0.);
   if (kind == Smoother::Kind::Plain) {
@@ -38,7 +38,7 @@ void CoupledSmoother::set(Smoother::Kind kind, std::span<const double> weights) 
   columns_ = data_->columns();
   const Eigen::Map<const Eigen::VectorXd> inverse(inverse_.data(), columns_.rows());
   Eigen::SparseMatrix<double> k = columns_.transpose() * (inverse.asDiagonal() * columns_);
-  for (Eigen::Index i = 0; i < k.rows(); ++i) k.coeffRef(i, i) += 1 / weights[static_cast<std::size_t>(i)];
+  add_lower_triangle(weights.inverse(), k);
   factor_.emplace(Eigen::SparseMatrix<double>(k.triangularView<Eigen::Lower>()));
 }
 

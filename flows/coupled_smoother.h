@@ -19,7 +19,7 @@ public:
   CoupledSmoother(const CoupledParts& parts, int level, const CoupledData& data, double lambda);
 
   /// Of the data as they are now.
-  void set(Smoother::Kind kind, std::span<const double> weights);
+  void set(Smoother::Kind kind, const PairWeights& weights);
   std::size_t size() const { return diagonal_.size(); }
   /// How much the rows give way when the energy's diagonal alone resists.
   std::vector<double> compliance() const;

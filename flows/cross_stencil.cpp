@@ -66,7 +66,7 @@ CrossStencil::CrossStencil(int rows, int columns, int degree)
 }
 
 CrossStencil::CrossStencil(const SplineSpace& space, const DataTerm& first, const DataTerm& second,
-                           std::span<const double> weights)
+                           const CrossWeights& weights)
     : CrossStencil(space.y.size(), space.x.size(), space.x.degree()) {
   const RowBlocks blocks(space.y.interval().cells(), columns_, std::max(4, degree_));
   for_alternating_blocks(blocks, [&](int begin, int end) {
@@ -75,19 +75,25 @@ CrossStencil::CrossStencil(const SplineSpace& space, const DataTerm& first, cons
 }
 
 void CrossStencil::accumulate(int cell_row, const DataTerm& first, const DataTerm& second,
-                              std::span<const double> weights) {
+                              const CrossWeights& weights) {
   for (std::size_t i = first.first_point(cell_row); i < first.first_point(cell_row + 1); ++i) {
-    const PointRow a = first.row(i), b = second.row(i);
-    for (int s = 0; s <= degree_; ++s)
-      for (int p = 0; p <= degree_; ++p) {
-        const double w = weights[i] * a.y[static_cast<std::size_t>(s)] * a.x[static_cast<std::size_t>(p)];
-        double* entries = row(a.first_x + p, a.first_y + s, -s) + degree_ - p;
-        for (int t = 0; t <= degree_; ++t, entries += width_) {
-          const double v = w * b.y[static_cast<std::size_t>(t)];
-          for (int q = 0; q <= degree_; ++q) entries[q] += v * b.x[static_cast<std::size_t>(q)];
-        }
-      }
+    const PointRow a = first.row(i);
+    add_product(weights.own[i], a, second.row(i));
+    if (!weights.beside.empty()) add_product(weights.beside[i], a, second.row(i % 2 == 0 ? i + 1 : i - 1));
   }
+}
+
+/// Adds weight a b^T.
+void CrossStencil::add_product(double weight, const PointRow& a, const PointRow& b) {
+  for (int s = 0; s <= degree_; ++s)
+    for (int p = 0; p <= degree_; ++p) {
+      const double w = weight * a.y[static_cast<std::size_t>(s)] * a.x[static_cast<std::size_t>(p)];
+      double* entries = row(a.first_x + p, a.first_y + s, -s) + degree_ - p;
+      for (int t = 0; t <= degree_; ++t, entries += width_) {
+        const double v = w * b.y[static_cast<std::size_t>(t)];
+        for (int q = 0; q <= degree_; ++q) entries[q] += v * b.x[static_cast<std::size_t>(q)];
+      }
+    }
 }
 
 /// For rows begin .. end - 1 of this stencil and each coarse column: [row][column][dy + d][dx + d], dy fine and dx

@@ -11,14 +11,19 @@
 
 namespace batten {
 
-/// X = Σ_i w_i a_i b_i^T of two data terms that measure with the same rows on spaces of one size: (2d+1)² entries for
-/// each coefficient of the first, image by image.
+/// What couples row i of the first of two data terms: `own` with the same row of the second, `beside` with the other
+/// row of its pair, unless it is empty.
+struct CrossWeights {
+  std::vector<double> own, beside;
+};
+
+/// X = Σ_i a_i (own_i b_i + beside_i b_i')^T of two data terms that measure with the same rows on spaces of one size:
+/// (2d+1)² entries for each coefficient of the first, image by image.
 class CrossStencil {
 public:
   CrossStencil() = default;
   /// a_i and b_i are the rows of `first` and `second`, which are terms on spaces like `space`.
-  CrossStencil(const SplineSpace& space, const DataTerm& first, const DataTerm& second,
-               std::span<const double> weights);
+  CrossStencil(const SplineSpace& space, const DataTerm& first, const DataTerm& second, const CrossWeights& weights);
 
   /// R^T X S on the coarser level, of restrictions R^T of the first and S^T of the second.
   CrossStencil galerkin(const TensorSum& first, const TensorSum& second) const;
@@ -38,7 +43,8 @@ private:
   CrossStencil(int rows, int columns, int degree);
   std::vector<double> reduce_columns(const BandedRows& first, const BandedRows& second, int begin, int end) const;
 
-  void accumulate(int cell_row, const DataTerm& first, const DataTerm& second, std::span<const double> weights);
+  void accumulate(int cell_row, const DataTerm& first, const DataTerm& second, const CrossWeights& weights);
+  void add_product(double weight, const PointRow& a, const PointRow& b);
   /// Entries of (i, j) and (i - d ... i + d, j + dy), then zeros.
   const double* row(int i, int j, int dy) const {
     const auto k = static_cast<std::ptrdiff_t>(j) * columns_ + i;

@@ -32,20 +32,25 @@ ExtraFunction extra_function(const SideFunction& function, const FitProblem& pro
 ExtendedProblem::ExtendedProblem(std::unique_ptr<PenalisedProblem> inner, std::vector<ExtraFunction> functions,
                                  const IterationLimits& limits, Remake remake)
     : inner_(std::move(inner)), limits_(limits), remake_(std::move(remake)) {
-  for (ExtraFunction& g : functions) functions_.push_back({std::move(g), {}, std::vector<double>(inner_->unknowns())});
+  for (ExtraFunction& g : functions)
+    functions_.push_back({std::move(g), {}, {}, std::vector<double>(inner_->unknowns())});
 }
 
-void ExtendedProblem::set(double lambda, std::span<const double> weights) {
-  inner_->set(lambda, weights);
-  if (lambda == lambda_ && std::equal(weights.begin(), weights.end(), weights_.begin(), weights_.end())) return;
+void ExtendedProblem::set(double lambda, std::span<const double> weights, std::span<const double> beside) {
+  inner_->set(lambda, weights, beside);
+  PairWeights w(weights, beside);
+  if (lambda == lambda_ && w == weights_) return;
   lambda_ = 0;  // until all is set: a solution may fail
+  const std::vector<double> ones(beside.empty() ? 0 : size(), 1.);
   for (Function& g : functions_) {
-    g.column = inner_->right_side(weights, g.values);
+    g.weighted = g.values;
+    w.multiply(g.weighted);
+    g.column = beside.empty() ? inner_->right_side(weights, g.values) : inner_->right_side(ones, g.weighted);
     combine(lambda, g.energy, 1, g.column);
     inner_->solve(g.column, g.nearest, limits_, 0);
   }
   lambda_ = lambda;
-  weights_.assign(weights.begin(), weights.end());
+  weights_ = std::move(w);
   set_schur();
 }
 
@@ -57,7 +62,7 @@ void ExtendedProblem::set_schur() {
     for (Eigen::Index l = 0; l < count; ++l) {
       const Function &g = functions_[static_cast<std::size_t>(k)], &f = functions_[static_cast<std::size_t>(l)];
       double sum = k == l ? lambda_ * g.own_energy : 0;
-      for (std::size_t i = 0; i < size(); ++i) sum += weights_[i] * g.values[i] * f.values[i];
+      for (std::size_t i = 0; i < size(); ++i) sum += g.weighted[i] * f.values[i];
       products_(k, l) = sum;
       schur(k, l) = sum - (dot(g.nearest, f.column) + dot(f.nearest, g.column)) / 2;
     }

@@ -42,7 +42,7 @@ public:
   const std::vector<double>& weight() const override { return inner_->weight(); }
   const std::vector<std::size_t>& order() const override { return inner_->order(); }
   using PenalisedProblem::set;
-  void set(double lambda, std::span<const double> weights) override;
+  void set(double lambda, std::span<const double> weights, std::span<const double> beside) override;
   bool can_predict() const override { return inner_->can_predict(); }
   double apply(std::span<const double> c, std::span<double> out) const override;
   void apply_energy(std::span<const double> c, std::span<double> out) const override;
@@ -55,8 +55,9 @@ public:
 
 private:
   struct Function : ExtraFunction {
-    std::vector<double> column;   // T^T A g
-    std::vector<double> nearest;  // A^-1 of the column: g less T of it is orthogonal to the space
+    std::vector<double> weighted;  // W B g
+    std::vector<double> column;    // T^T A g
+    std::vector<double> nearest;   // A^-1 of the column: g less T of it is orthogonal to the space
   };
   void set_schur();
 
@@ -65,7 +66,7 @@ private:
   IterationLimits limits_;
   Remake remake_;
   double lambda_ = 0;
-  std::vector<double> weights_;
+  PairWeights weights_;
   Eigen::MatrixXd products_;            // g_k · A g_l
   Eigen::LDLT<Eigen::MatrixXd> schur_;  // of the functions made orthogonal
 };

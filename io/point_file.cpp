@@ -35,6 +35,10 @@ void write_points(const std::filesystem::path& path, const ScatteredSamples& sam
                                    [](const PointArray& array) { return array.components == 1; });
   if (scalar != samples.arrays.end()) data->GetPointData()->SetActiveScalars(scalar->name.c_str());
 
+  const auto vector = std::find_if(samples.arrays.begin(), samples.arrays.end(),
+                                   [](const PointArray& array) { return array.components == 3; });
+  if (vector != samples.arrays.end()) data->GetPointData()->SetActiveVectors(vector->name.c_str());
+
   write_vtk(path, data);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/tests/app/command_run.h>
+#include <batten/tests/io/vtk_text.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -12,9 +13,11 @@ namespace batten::test {
 namespace {
 
 using testing::AllOf;
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Pointwise;
 using testing::SizeIs;
 using testing::StartsWith;
 
@@ -77,6 +80,36 @@ TEST_F(FlowCommand, writes_everything_it_is_asked_for_and_five_lines) {
     EXPECT_THAT(folder_.read("f.vtp"), HasSubstr("Name=\"" + std::string(name) + "\"")) << name;
   EXPECT_THAT(folder_.read("f.vti"), HasSubstr("Scalars=\"speed\" Vectors=\"velocity\""));
   EXPECT_THAT(folder_.read("f.vtp"), HasSubstr("NumberOfLines=\"6\""));
+}
+
+/// The linear field of least squares is the flow itself where all sides are free.
+TEST_F(FlowCommand, writes_the_vectors_with_what_was_fitted) {
+  // u of the third one is off by 1; it has no weight. The last one is outside.
+  folder_.write("in.csv",
+                "x,y,u,v,w\n0,0,1,-3,1\n2,0,1,3,2\n1,0.5,0.5,0,0\n0,1,-2,-3,1\n2,1,-2,3,1\n0.5,0.5,-0.5,-1.5,1\n"
+                "3,0,1,6,1\n");
+  const Outcome run = expect_success(
+      folder_, in + "--weight w --region 0 2 0 1 --cells 16 8 --smoothing 1e-3 -o f.vti --points-out p.vtp");
+  EXPECT_THAT(run.out, HasSubstr("wrote f.vti p.vtp"));
+  const std::string file = folder_.read("p.vtp");
+  EXPECT_EQ(attribute(tag_with(file, "<PointData"), "Vectors"), "velocity");
+  EXPECT_THAT(appended_array<double>(file, "Points"),
+              ElementsAre(0, 0, 0, 2, 0, 0, 1, 0.5, 0, 0, 1, 0, 2, 1, 0, 0.5, 0.5, 0));
+  EXPECT_THAT(appended_array<double>(file, "weight"), ElementsAre(1, 2, 0, 1, 1, 1));
+  EXPECT_THAT(appended_array<double>(file, "velocity"),
+              ElementsAre(1, -3, 0, 1, 3, 0, 0.5, 0, 0, -2, -3, 0, -2, 3, 0, -0.5, -1.5, 0));
+  const std::vector<double> fit = {1, -3, 0, 1, 3, 0, -0.5, 0, 0, -2, -3, 0, -2, 3, 0, -0.5, -1.5, 0};
+  std::vector<double> residual(fit.size());
+  residual[6] = -1;
+  EXPECT_THAT(appended_array<double>(file, "fit"), Pointwise(DoubleNear(1e-9), fit));
+  EXPECT_THAT(appended_array<double>(file, "residual"), Pointwise(DoubleNear(1e-9), residual));
+}
+
+TEST_F(FlowCommand, checks_the_name_of_the_file_of_vectors) {
+  expect_failure(in + "-o f.vti --points-out p.csv", 2, "--points-out: the name must end with .vtp, found 'p.csv'");
+  folder_.write("in.vtp", "x,y,u,v\n");
+  expect_failure("flow in.vtp --x x --y y --u u --v v -o f.vti --points-out in.vtp", 2,
+                 "is an input and would be overwritten");
 }
 
 TEST_F(FlowCommand, quiet_prints_nothing) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <batten/tests/app/command_run.h>
+#include <batten/tests/io/vtk_text.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -70,6 +71,23 @@ TEST_F(FlowGeographic, has_velocity_and_vorticity_of_the_sphere) {
   EXPECT_EQ(report["geographic"], true);
   EXPECT_LE(report["largest_divergence"], 1e-6);
   EXPECT_THAT(folder_.read("f.vti"), HasSubstr("batten.number.sphere_radius"));
+}
+
+TEST_F(FlowGeographic, writes_the_vectors_at_longitudes_and_latitudes) {
+  expect_success(folder_, in + "--region 5 25 40 60 --cells 24 32 -o f.vti --points-out p.vtp");
+  const std::string file = folder_.read("p.vtp");
+  const auto place = appended_array<double>(file, "Points"), velocity = appended_array<double>(file, "velocity"),
+             fit = appended_array<double>(file, "fit"), residual = appended_array<double>(file, "residual");
+  const auto lon = column(folder_, "in.csv", "lon"), lat = column(folder_, "in.csv", "lat");
+  ASSERT_EQ(place.size(), 3 * lon.size());
+  for (std::size_t i = 0; i < lon.size(); ++i) {
+    EXPECT_EQ(place[3 * i], lon[i]);
+    EXPECT_EQ(place[3 * i + 1], lat[i]);
+    EXPECT_NEAR(velocity[3 * i], 1000 * std::cos(lat[i] * degree), 1e-12 * 1000);
+    EXPECT_NEAR(fit[3 * i], 1000 * std::cos(lat[i] * degree), 0.01);
+    EXPECT_EQ(residual[3 * i], fit[3 * i] - velocity[3 * i]);
+    EXPECT_EQ(residual[3 * i + 2], 0);
+  }
 }
 
 TEST_F(FlowGeographic, goes_around_the_earth_with_periodic_longitudes) {

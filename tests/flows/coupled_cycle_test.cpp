@@ -4,6 +4,7 @@
 #include <batten/flows/flow_fit.h>
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <cmath>
 #include <numbers>
@@ -70,7 +71,7 @@ struct Coupled {
     lambda = value;
     psi.set(lambda, psi.weight());
     phi.set(ratio * lambda, phi.weight());
-    cycle.set(lambda, psi.weight());
+    cycle.set(lambda, PairWeights(psi.weight()));
   }
   Vector apply(const Vector& c) const {
     Vector result(c.size());
@@ -119,7 +120,7 @@ TEST(CrossStencil, multiplies_as_the_rows_do) {
     Coupled few(100, 16, ends);
     few.set(1e-3);
     CoupledData stored(few.parts, 0);
-    stored.set(few.psi.weight(), true);
+    stored.set(PairWeights(few.psi.weight()), true);
     ASSERT_FALSE(few.cycle.data().is_stored());
     expect_same_products(few.cycle.data(), stored, coefficients(few, 0, 1));
   }
@@ -130,10 +131,10 @@ TEST(CrossStencil, coarser_levels_are_those_of_the_same_rows) {
     Coupled many(3000, 32, ends);
     many.set(1e-3);
     CoupledData fine(many.parts, 0), by_rows(many.parts, 1), shared(many.parts, 1);
-    fine.set(many.psi.weight(), true);
-    by_rows.set(many.psi.weight(), true);
+    fine.set(PairWeights(many.psi.weight()), true);
+    by_rows.set(PairWeights(many.psi.weight()), true);
     const Vector c = coefficients(many, 1, 1);
-    shared.share(by_rows.psi(), by_rows.phi(), many.psi.weight(), &fine);
+    shared.share(by_rows.psi(), by_rows.phi(), PairWeights(many.psi.weight()), &fine);
     Vector a(c.size()), b(c.size());
     by_rows.add_cross(1, c, a);
     shared.add_cross(1, c, b);
@@ -195,6 +196,24 @@ TEST(CoupledCycle, iterations_depend_neither_on_lambda_nor_on_the_cells) {
         EXPECT_LE(fit.iterations, 30) << vectors << " vectors, " << cells << " cells, lambda " << lambda;
       }
     }
+}
+
+// In a small region of the sphere there are pairs that the data hardly see, found from the products of many rows.
+TEST(CoupledProblem, has_the_same_bits_for_every_number_of_threads) {
+  const Rectangle region{Interval(0, 1, 16), Interval(0, 1, 16)};
+  const auto o = noisy_vectors(4000);
+  const int before = omp_get_max_threads();
+  std::vector<Vector> results;
+  for (const int threads : {1, 2, 3}) {
+    omp_set_num_threads(threads);
+    const auto fit =
+        fit_flow(o, region, {.model = FlowModel::General, .geographic = true, .smoothing = Smoothing::fixed(1e-2)});
+    const auto c = fit.field.stream()->coefficients();
+    results.emplace_back(c.begin(), c.end());
+  }
+  omp_set_num_threads(before);
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ TEST(PointFile, has_points_vertices_and_arrays_exactly) {
   EXPECT_EQ(attribute(piece, "NumberOfPoints"), "3");
   EXPECT_EQ(attribute(piece, "NumberOfVerts"), "3");
   EXPECT_EQ(attribute(tag_with(file, "<PointData"), "Scalars"), "value");
+  EXPECT_EQ(attribute(tag_with(file, "<PointData"), "Vectors"), "direction");
   EXPECT_THAT(appended_array<double>(file, "Points"), ElementsAre(0.1, 1, 0, 1e6 + 0.1, 2, -0.5, -3, 3, 1e-300));
   EXPECT_THAT(appended_array<std::int64_t>(file, "connectivity"), ElementsAre(0, 1, 2));
   EXPECT_THAT(appended_array<std::int64_t>(file, "offsets"), ElementsAre(1, 2, 3));
