@@ -53,7 +53,12 @@ void add_field(CLI::App& parser, FlowArguments& a) {
       ->check(CLI::IsMember({3, 4, 5}))
       ->group(group);
   add_side_options(parser, a.sides, group);
-  add_smoothing_options(parser, a.smoothing, group);
+  auto* const tolerance = add_smoothing_options(parser, a.smoothing, group);
+  parser.add_option("--tolerance-norm", a.tolerance_norm, "of E: component (default: of u and of v) or euclidean")
+      ->option_text("NAME")
+      ->check(CLI::IsMember({"component", "euclidean"}))
+      ->needs(tolerance)
+      ->group(group);
 }
 
 void add_output(CLI::App& parser, FlowArguments& a) {

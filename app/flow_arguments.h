@@ -28,6 +28,7 @@ struct FlowArguments {
   int degree = 3;
   FlowSideArguments sides;
   SmoothingArguments smoothing;
+  std::string tolerance_norm = "component";
   GridArguments grid;
   std::optional<int> streamlines;
   std::string seeds, parameter;

@@ -19,7 +19,7 @@
 namespace batten {
 namespace {
 
-FlowOptions flow_options(const FlowArguments& arguments, Progress& progress) {
+FlowOptions flow_options(const FlowArguments& arguments, const FlowInput& input, Progress& progress) {
   FlowOptions options;
   options.model = model_of(arguments);
   options.ratio = arguments.ratio.value_or(1);
@@ -27,6 +27,8 @@ FlowOptions flow_options(const FlowArguments& arguments, Progress& progress) {
   options.sides = sides_of(arguments.sides);
   options.degree = arguments.degree;
   options.smoothing = smoothing_of(arguments.smoothing);
+  if (arguments.tolerance_norm == "euclidean") options.tolerance_norm = ToleranceNorm::Euclidean;
+  options.name_of = [&input](std::size_t i) { return "line " + std::to_string(input.lines[i]); };
   options.seed = arguments.smoothing.seed;
   options.progress = [&progress](std::string_view phase, double done) { progress.show(phase, done); };
   return options;
@@ -64,7 +66,7 @@ void run_flow(const FlowArguments& arguments) {
   FlowAccount account{.arguments = &arguments, .input = &input};
   account.seconds = {{"read", watch.lap()}};
 
-  const FlowResult result = fit_flow(input.observations, region, flow_options(arguments, progress));
+  const FlowResult result = fit_flow(input.observations, region, flow_options(arguments, input, progress));
   account.result = &result;
   account.notes = result.notes;
   account.seconds.insert(account.seconds.end(), result.seconds.begin(), result.seconds.end());

@@ -64,6 +64,7 @@ Json report_json(const FlowAccount& account) {
   json["smoothing"] = tolerance ? "tolerance" : arguments.smoothing.text;
   if (smoothing.kind == Smoothing::Kind::Fixed) json["smoothing"] = smoothing.value;
   json["tolerance"] = tolerance ? Json(*tolerance) : Json();
+  json["tolerance_norm"] = tolerance ? Json(arguments.tolerance_norm) : Json();
   json["tolerance_reached"] = tolerance ? Json(account.result->tolerance_reached) : Json();
   add_result(*account.result, json);
   json["max_residual"] = worst_json(account);

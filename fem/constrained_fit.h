@@ -30,6 +30,10 @@ struct ConstrainedFit : ScaledFit {
 ConstrainedFit fit_within(PenalisedProblem& problem, const MeasurementLimits& limits, std::vector<double> start,
                           const FitOptions& options);
 
+/// Least energy with |v_k - value_k| <= radius for the vectors v_k = (rows 2k, 2k + 1 of B c over their factors).
+ConstrainedFit fit_within_balls(PenalisedProblem& problem, double radius, const std::vector<double>& factors,
+                                const FitOptions& options);
+
 /// Least energy with |p(x_i) - z_i| <= tolerances_i (in the scale of the data, in the order of the grid).
 ConstrainedFit fit_within(PenalisedProblem& problem, std::span<const double> tolerances, const FitOptions& options);
 

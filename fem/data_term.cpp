@@ -61,7 +61,7 @@ DataTerm::DataTerm(const SplineSpace& space, const GridPoints& points, bool stor
   row_start_.assign(static_cast<std::size_t>(y.cells()) + 1, 0);
   for (double t : points.y) ++row_start_[static_cast<std::size_t>(y.cell_of(t)) + 1];
   for (std::size_t r = 1; r < row_start_.size(); ++r) row_start_[r] += row_start_[r - 1];
-  if (stored_) return;
+  if (stored_ && !points.have_coefficients()) return;  // blossoms cost more than to keep them
   std::vector<PointRow> rows(points.size());
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(points.size());
 #pragma omp parallel for schedule(static)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <batten/fem/block_vectors.h>
 #include <batten/fem/grid_energy.h>
+#include <batten/fem/pair_weights.h>
 
 #include <algorithm>
 #include <numeric>
@@ -22,9 +23,15 @@ double GridEnergy::energy_of(std::span<const double> c) const {
   return sum / 2;
 }
 
+std::vector<double> GridEnergy::rows_of(std::vector<double> numbers) const {
+  for (std::size_t i = 0; i < factors_.size(); ++i) numbers[i] /= factors_[i];
+  return numbers;
+}
+
 std::vector<double> GridEnergy::pull(std::span<const double> force) const {
   auto forces = problem_.residuals(c_);
-  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = fixed_[i] * forces[i] + force[i];
+  const auto own = rows_of({force.begin(), force.end()});
+  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = fixed_[i] * forces[i] + own[i];
   const std::vector<double> ones(forces.size(), 1.);
   auto result = problem_.right_side(ones, forces);
   std::vector<double> image(c_.size());
@@ -36,11 +43,13 @@ std::vector<double> GridEnergy::pull(std::span<const double> force) const {
 // The solver expects weights with a sum of about 1, as those of data have.
 double GridEnergy::set(const RowWeights& weights, double stiffness) {
   constexpr double least_share = 1e-15;  // of a measurement without weight, which the multigrid does not know
-  std::vector<double> w = weights.diagonal;
-  for (std::size_t i = 0; i < w.size(); ++i) w[i] += stiffness * fixed_[i];
-  const double unit = std::accumulate(w.begin(), w.end(), 0.);
-  for (double& v : w) v = std::max(v / unit, least_share);
-  problem_.set(stiffness / unit, w);
+  PairWeights w(weights.diagonal, weights.beside);
+  if (!factors_.empty()) w = w.scaled(rows_of(std::vector<double>(factors_.size(), 1.)));
+  for (std::size_t i = 0; i < w.size(); ++i) w.diagonal[i] += stiffness * fixed_[i];
+  const double unit = std::accumulate(w.diagonal.begin(), w.diagonal.end(), 0.);
+  for (double& v : w.diagonal) v = std::max(v / unit, least_share);
+  for (double& v : w.beside) v /= unit;
+  problem_.set(stiffness / unit, w.diagonal, w.beside);
   return unit;
 }
 
@@ -58,15 +67,15 @@ std::vector<double> GridEnergy::direction(const RowWeights& weights, std::span<c
   auto b = pull(force);
   for (double& v : b) v /= unit;
   solve(b, dc_, accuracy);
-  return problem_.values(dc_);
+  return rows_of(problem_.values(dc_));
 }
 
 std::vector<double> GridEnergy::response(const RowWeights& weights, std::span<const double> force, double accuracy) {
   const double unit = set(weights, 1);
   const std::vector<double> scaled(force.size(), 1 / unit);
   std::vector<double> c(c_.size());
-  solve(problem_.right_side(scaled, force), c, accuracy);
-  return problem_.values(c);
+  solve(problem_.right_side(scaled, rows_of({force.begin(), force.end()})), c, accuracy);
+  return rows_of(problem_.values(c));
 }
 
 void GridEnergy::advance(double step) {
@@ -85,10 +94,11 @@ double GridEnergy::bound(std::span<double> force) {
   std::vector<double> d(c_.size());
   const double reached = solve(b, d, accuracy);
   const double left = reached * reached * dot(b, d) * unit / stiffness / 2;
-  const auto held = problem_.values(d);
-  for (std::size_t i = 0; i < force.size(); ++i) force[i] -= weights_.diagonal[i] * held[i] / stiffness;
+  auto held = rows_of(problem_.values(d));
+  PairWeights(weights_.diagonal, weights_.beside).multiply(held);
+  combine(-1 / stiffness, held, 1, force);
   combine(1, c_, 1, d);
-  return energy_of(d) - dot(force, problem_.values(d)) - left;
+  return energy_of(d) - dot(force, rows_of(problem_.values(d))) - left;
 }
 
 }  // namespace batten

@@ -21,6 +21,9 @@ enum class FlowModel {
   General,       ///< v = rot ψ + grad φ, third derivatives of ψ and `ratio` times those of φ [linear fields]
 };
 
+/// What a tolerance bounds: u and v each, or the length of the difference.
+enum class ToleranceNorm { Component, Euclidean };
+
 struct FlowOptions {
   FlowModel model = FlowModel::Smooth;
   double ratio = 1;  ///< of General, > 0: a large one gives ψ all that it can
@@ -29,7 +32,10 @@ struct FlowOptions {
   /// the mean radius of the Earth in km.
   bool geographic = false;
   FlowSides sides;      ///< walls without slip not of Irrotational, and of General with a free side only
-  Smoothing smoothing;  ///< λ = 0 means Smoothing::none(); a tolerance is one of u and of v
+  Smoothing smoothing;  ///< λ = 0 means Smoothing::none()
+  ToleranceNorm tolerance_norm = ToleranceNorm::Component;
+  /// As FitOptions::name_of.
+  std::function<std::string(std::size_t i)> name_of;
   IterationLimits limits;
   std::uint64_t seed = 1;  ///< of the random probes of cross-validation
   /// Called now and then with the phase ("cross-validation", "solve", ...) and the part of it that is done, 0 to 1.
