@@ -21,7 +21,9 @@ they are not smoothed. Measured wind and surface currents have divergence: take
 general for these.
 
 --smoothing auto chooses LAMBDA by generalised cross-validation, none comes as
-close to the vectors as the grid allows. --tolerance E keeps u and v within E.
+close to the vectors as the grid allows. --tolerance E keeps u and v within E
+each, or with --tolerance-norm euclidean the length of the difference, with the
+least energy.
 
 Sides are free unless --walls, --no-slip or --periodic say more. psi is constant
 on walls that are connected; the flux between two that are not, and the mean flow
