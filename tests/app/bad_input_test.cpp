@@ -82,7 +82,7 @@ TEST(BadInput, points_on_a_line_do_not_determine_a_thin_plate) {
 TEST(BadInput, coincident_points_further_apart_than_twice_the_tolerance) {
   expect_bad_table("x,y,z\n0,0,1\n1,0,2\n0,0,4\n0,1,3\n", "--tolerance 1",
                    "within their tolerances of each other, found 1");
-  expect_bad_table("x,y,z\n0,0,1\n1,0,2\n0,0,4\n0,1,3\n", "--tolerance 1", "and 4 (observation 3) at (0, 0)");
+  expect_bad_table("x,y,z\n0,0,1\n1,0,2\n0,0,4\n0,1,3\n", "--tolerance 1", "and 4 (line 4) at (0, 0)");
 }
 
 TEST(BadInput, all_points_outside_the_region) {
@@ -145,6 +145,15 @@ TEST(BadInput, a_tolerance_that_is_not_positive) {
 TEST(BadInput, a_tolerance_that_the_grid_cannot_reach_names_the_worst_point) {
   expect_failure(topo + "--cells 4 4 --tolerance 0.5", 1,
                  "the tolerance 0.5 is not reachable on this grid of 4 x 4 cells: the worst point, line ");
+  expect_failure(topo + "--cells 4 4 --tolerance 0.5", 1, "and the least that is reachable is 7.75");
+}
+
+TEST(BadInput, bounds_that_contradict_each_other_or_the_data) {
+  expect_failure(topo + "--minimum 5 --maximum 5", 2, "--minimum must be below --maximum, found 5 and 5");
+  expect_failure(topo + "--minimum nan", 2, "--minimum: 'nan' is not a finite number");
+  const std::string table = "x,y,z\n0,0,1\n1,0,2\n0,1,-4\n1,1,3\n";
+  expect_bad_table(table, "--smoothing none --minimum 0", "minimum 0, found -4 in line 4");
+  expect_bad_table(table, "--tolerance 1 --maximum 1.5", "maximum 1.5, found 3 in line 5, farther from it");
 }
 
 TEST(BadInput, latitudes_that_are_none) {

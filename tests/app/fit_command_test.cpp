@@ -182,6 +182,34 @@ TEST(FitCommand, stays_within_the_tolerance_and_writes_an_unreached_one_if_allow
   EXPECT_THAT(missed["warnings"][0].get<std::string>(), HasSubstr("is not reachable on this grid"));
 }
 
+TEST(FitCommand, reports_what_constraints_are_worth) {
+  const Folder folder;
+  const auto reached = report_of(folder, topo + "--cells 32 32 --tolerance 20 -o t.csv");
+  EXPECT_NEAR(reached["energy"], 2.58920e6, 2.6e3);  // of a dense solution
+  EXPECT_LE(reached["energy_gap"], 1e-3);
+  EXPECT_LE(reached["largest_violation"], 1e-9);
+  EXPECT_TRUE(reached["least_tolerance"].is_null());
+  EXPECT_GT(reached["active"], 10);
+  EXPECT_GT(reached["cycles"], 0);
+  const auto missed = report_of(folder, topo + "--cells 4 4 --tolerance 0.5 --allow -o t.csv");
+  EXPECT_NEAR(missed["least_tolerance"], missed["max_residual"]["value"], 1e-3);
+  const auto plane = report_of(folder, topo + "--cells 32 32 --tolerance 100 -o t.csv");
+  EXPECT_EQ(plane["energy"], 0);
+  EXPECT_TRUE(report_of(folder, topo + "--cells 8 8 -o t.csv")["energy_gap"].is_null());
+}
+
+TEST(FitCommand, keeps_the_surface_between_bounds) {
+  const Folder folder;
+  const auto report = report_of(folder, topo + "--cells 32 32 --smoothing none --minimum 690 --maximum 970 -o t.csv");
+  EXPECT_EQ(report["minimum"], 690);
+  EXPECT_EQ(report["maximum"], 970);
+  EXPECT_LE(report["energy_gap"], 1e-3);
+  for (const double v : column(folder, "t.csv", "value")) {
+    EXPECT_GE(v, 690);
+    EXPECT_LE(v, 970);
+  }
+}
+
 TEST(FitCommand, a_point_of_weight_zero_has_no_say) {
   const Folder folder;
   folder.write("in.csv", "x,y,z,w\n0,0,1,1\n1,0,3,1\n0,1,-2,2\n1,1,0,1\n0.5,0.5,99,0\n");
