@@ -151,6 +151,33 @@ Eigen::Matrix<double, 6, 1> slopes(Measured kind, double stretch, double s, doub
   return result;
 }
 
+Eigen::Index null_dimension(const FlowOptions& options) {
+  if (!options.sides.are_free()) return 0;
+  if (options.model == FlowModel::Slow) return 2;
+  return options.model == FlowModel::General ? 6 : 5;
+}
+
+/// What the null functions measure in a row; q has a centre and length.
+Eigen::VectorXd null_row(const FlowData& data, double aspect, std::size_t i, Eigen::Index used) {
+  const FitData& d = data.rows;
+  const QuadraticFunction& q = data.null_element;
+  const double s = (d.x[i] - q.x0) / q.length, t = aspect * (d.y[i] - q.y0) / q.length;
+  return slopes(d.kind[i], data.stretch[i], s, t).head(used);
+}
+
+/// Adds to the null element; a QuadraticFunction knows no aspect.
+void add_element(const Eigen::VectorXd& found, double aspect, FlowData& data) {
+  const double a = aspect;
+  const std::array<double, 5> factor = {1, a, 1, a, a * a};
+  for (Eigen::Index k = 0; k < std::min<Eigen::Index>(found.size(), 5); ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    data.null_element.c[at + 1] += factor[at] * found[k];
+  }
+  if (found.size() < 6) return;
+  data.null_potential.c[3] += found[5];
+  data.null_potential.c[5] += a * a * found[5];
+}
+
 /// Takes the weighted least-squares element of the null space off the rows and divides by their range.
 void normalise(const Rectangle& region, const FlowOptions& options, FlowData& result) {
   FitData& d = result.rows;
@@ -162,30 +189,21 @@ void normalise(const Rectangle& region, const FlowOptions& options, FlowData& re
   q.y0 = std::inner_product(d.y.begin(), d.y.end(), d.weight.begin(), 0.) / total;
   const auto [low, high] = std::minmax_element(d.value.begin(), d.value.end());
   const double largest = std::max(std::abs(*low), std::abs(*high)), range = *high - *low;
-  const Eigen::Index used = !options.sides.are_free()             ? 0
-                            : options.model == FlowModel::Slow    ? 2
-                            : options.model == FlowModel::General ? 6
-                                                                  : 5;
-  std::array<double, 6> found{};
+  const Eigen::Index used = null_dimension(options);
+  result.null_potential = {{}, q.x0, q.y0, q.length};
   // Twice: the second pass fits what rounding left of the first.
   for (int pass = 0; pass < 2 && used > 0; ++pass) {
     Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(used, used);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(used);
-    const auto row = [&](std::size_t i) {
-      const double s = (d.x[i] - q.x0) / q.length, t = aspect * (d.y[i] - q.y0) / q.length;
-      return Eigen::VectorXd(slopes(d.kind[i], result.stretch[i], s, t).head(used));
-    };
+    const auto row = [&](std::size_t i) { return null_row(result, aspect, i, used); };
     for (std::size_t i = 0; i < d.size(); ++i) {
       moments += d.weight[i] * row(i) * row(i).transpose();
       right += d.weight[i] * d.value[i] * row(i);
     }
     const Eigen::VectorXd step = moments.completeOrthogonalDecomposition().solve(right);
-    for (Eigen::Index k = 0; k < used; ++k) found[static_cast<std::size_t>(k)] += step[k];
+    add_element(step, aspect, result);
     for (std::size_t i = 0; i < d.size(); ++i) d.value[i] -= row(i).dot(step);
   }
-  // A QuadraticFunction knows no aspect.
-  q.c = {0, found[0], aspect * found[1], found[2], aspect * found[3], aspect * aspect * found[4]};
-  result.null_potential = {{0, 0, 0, found[5], 0, aspect * aspect * found[5]}, q.x0, q.y0, q.length};
   d.scale = range > 0 ? range : largest > 0 ? largest : 1;
   double left = 0;
   for (double& v : d.value) left = std::max(left, std::abs(v /= d.scale));
@@ -201,6 +219,20 @@ Energy energy_of(FlowModel model) {
 
 FlowGeometry geometry_of(const FlowOptions& options) {
   return options.geographic ? FlowGeometry::sphere() : FlowGeometry::plane();
+}
+
+Eigen::MatrixXd null_measurements(const FlowData& data, const Rectangle& region, const FlowOptions& options) {
+  const Eigen::Index used = null_dimension(options);
+  const double aspect = geometry_of(options).aspect(region);
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(data.rows.size()), used);
+  for (std::size_t i = 0; i < data.rows.size(); ++i)
+    result.row(static_cast<Eigen::Index>(i)) = null_row(data, aspect, i, used).transpose();
+  return result;
+}
+
+void add_to_null_element(const Eigen::VectorXd& amounts, const Rectangle& region, const FlowOptions& options,
+                         FlowData& data) {
+  add_element(data.rows.scale * amounts, geometry_of(options).aspect(region), data);
 }
 
 FlowData prepare_flow(const VectorObservations& o, const Rectangle& region, const FlowOptions& options,

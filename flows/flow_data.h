@@ -5,6 +5,8 @@
 #include <batten/fem/null_space.h>
 #include <batten/flows/flow_fit.h>
 
+#include <Eigen/Core>
+
 namespace batten {
 
 /// The observations of a flow in the scale that the solver works with. Each vector gives two rows: of ψ the slope
@@ -31,5 +33,13 @@ FlowGeometry geometry_of(const FlowOptions& options);
 /// as fit_flow does.
 FlowData prepare_flow(const VectorObservations& observations, const Rectangle& region, const FlowOptions& options,
                       bool merge_coincident);
+
+/// What the functions without energy that a null element is made of measure, a column for each: rows as those of the
+/// data.
+Eigen::MatrixXd null_measurements(const FlowData& data, const Rectangle& region, const FlowOptions& options);
+
+/// Adds so much of each of them, in the scale of the data, to the null element.
+void add_to_null_element(const Eigen::VectorXd& amounts, const Rectangle& region, const FlowOptions& options,
+                         FlowData& data);
 
 }  // namespace batten

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <batten/domains/errors.h>
 #include <batten/domains/number_text.h>
-#include <batten/fem/constrained_fit.h>
 #include <batten/fem/cross_validation.h>
 #include <batten/fem/difference_form.h>
 #include <batten/fem/near_interpolation.h>
 #include <batten/flows/coupled_problem.h>
 #include <batten/flows/divergence_share.h>
 #include <batten/flows/extended_problem.h>
-#include <batten/flows/flow_data.h>
+#include <batten/flows/flow_tolerance.h>
 #include <batten/flows/mean_velocity.h>
 #include <batten/flows/quadratic_pairs.h>
 
@@ -17,9 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
-#include <tuple>
 #include <utility>
 
 namespace batten {
@@ -76,31 +73,7 @@ ScaledFit solve_none(PenalisedProblem& problem, const FitOptions& options, FlowR
   return solve_fixed(problem, interpolation_lambda, options);
 }
 
-/// What a row measures is so many times a component of a velocity.
-std::vector<double> factors_of(const PenalisedProblem& problem, const FlowData& data) {
-  std::vector<double> factors;
-  for (const std::size_t row : problem.order())
-    factors.push_back(data.rows.kind[row] == Measured::SlopeX ? data.stretch[row] : 1);
-  return factors;
-}
-
-ScaledFit solve_within(PenalisedProblem& problem, const FlowData& data, const FlowOptions& flow,
-                       const FitOptions& options, FlowResult& result) {
-  const double radius = flow.smoothing.value / data.rows.scale;
-  auto tolerances = factors_of(problem, data);
-  ConstrainedFit found;
-  if (flow.tolerance_norm == ToleranceNorm::Euclidean) {
-    found = fit_within_balls(problem, radius, tolerances, options);
-  } else {
-    for (double& t : tolerances) t *= radius;
-    found = fit_within(problem, tolerances, options);
-  }
-  result.constraints = found.account;
-  if (found.growth) result.constraints->least_tolerance = *found.growth * flow.smoothing.value;
-  return found;
-}
-
-ScaledFit solve_for(const FlowOptions& flow, PenalisedProblem& problem, const FlowData& data, const FitOptions& options,
+ScaledFit solve_for(const FlowOptions& flow, PenalisedProblem& problem, FlowData& data, const FitOptions& options,
                     FlowResult& result) {
   const auto solved = [&](auto&& work) { return timed(result.seconds, "solve", work); };
   switch (flow.smoothing.kind) {
@@ -111,7 +84,7 @@ ScaledFit solve_for(const FlowOptions& flow, PenalisedProblem& problem, const Fl
     case Smoothing::Kind::None:
       return solved([&] { return solve_none(problem, options, result); });
     default:
-      return solved([&] { return solve_within(problem, data, flow, options, result); });
+      return solved([&] { return fit_flow_within(problem, data, flow, options, result); });
   }
 }
 
@@ -204,45 +177,6 @@ void measure(const VectorObservations& o, FlowResult& result) {
     }
   }
   result.rms_residual = std::sqrt(square / total);
-}
-
-/// Whether all observations that were fitted are within the tolerance.
-void judge_tolerance(const VectorObservations& o, const FlowOptions& options, FlowResult& result) {
-  constexpr double rounding = 1e-9;
-  double worst = 0;
-  for (std::size_t i = 0; i < o.size(); ++i) {
-    if (std::isnan(result.fitted_u[i]) || (!o.weight.empty() && o.weight[i] == 0)) continue;
-    const double u = std::abs(result.fitted_u[i] - o.u[i]), v = std::abs(result.fitted_v[i] - o.v[i]);
-    const double away = options.tolerance_norm == ToleranceNorm::Euclidean ? std::hypot(u, v) : std::max(u, v);
-    worst = std::max(worst, away);
-  }
-  worst /= options.smoothing.value;
-  result.tolerance_reached = worst <= 1 + rounding;
-  result.constraints->largest_violation = std::max(0., worst - 1);
-}
-
-/// Vectors at one place that no velocity is within the tolerance of.
-void check_contradictions(const VectorObservations& o, const FlowData& data, const FlowOptions& options) {
-  const double twice = 2 * options.smoothing.value;
-  const auto name = [&](std::size_t i) {
-    return options.name_of ? options.name_of(i) : "observation " + std::to_string(i + 1);
-  };
-  std::map<std::pair<double, double>, std::array<std::size_t, 4>> extremes;  // least and largest u, then v
-  for (std::size_t row = 0; row < data.rows.size(); row += 2) {
-    const std::size_t i = data.rows.source[row];
-    auto& at = extremes.try_emplace({o.x[i], o.y[i]}, std::array{i, i, i, i}).first->second;
-    if (o.u[i] < o.u[at[0]]) at[0] = i;
-    if (o.u[i] > o.u[at[1]]) at[1] = i;
-    if (o.v[i] < o.v[at[2]]) at[2] = i;
-    if (o.v[i] > o.v[at[3]]) at[3] = i;
-    for (const auto& [low, high, apart] :
-         {std::tuple(at[0], at[1], o.u[at[1]] - o.u[at[0]]), std::tuple(at[2], at[3], o.v[at[3]] - o.v[at[2]])})
-      if (apart > twice)
-        throw InvalidInput("fit_flow: expected vectors at one place within their tolerances of each other, found (" +
-                           number_text(o.u[low], 6) + ", " + number_text(o.v[low], 6) + ") (" + name(low) + ") and (" +
-                           number_text(o.u[high], 6) + ", " + number_text(o.v[high], 6) + ") (" + name(high) +
-                           ") at (" + number_text(o.x[i], 6) + ", " + number_text(o.y[i], 6) + ")");
-  }
 }
 
 std::unique_ptr<PenalisedProblem> make_problem(const FlowData& data, const Rectangle& region,
@@ -339,7 +273,7 @@ FlowResult fit_flow(const VectorObservations& observations, const Rectangle& reg
   FlowOptions checked_options = options;
   const Smoothing smoothing = checked_options.smoothing = checked(options);
   std::vector<PhaseTime> seconds;
-  const FlowData data = timed(seconds, "prepare", [&] {
+  FlowData data = timed(seconds, "prepare", [&] {
     return prepare_flow(observations, region, options, smoothing.kind == Smoothing::Kind::None);
   });
   if (smoothing.kind == Smoothing::Kind::Tolerance) check_contradictions(observations, data, options);
