@@ -47,8 +47,7 @@ public:
         is_row_(x_.local.size() * y_.local.size()) {
     if (data_.kind.empty()) data_.kind.assign(data_.size(), Measured::Value);
     data_.spacing = spacing;
-    fit_.coefficients = task.start;
-    fit_.lambda = task.lambda;
+    fit_ = task.start;
   }
 
   ConstrainedFit solved() {
@@ -153,7 +152,7 @@ private:
       limits.upper.push_back(is_datum ? wanted_[k] + tolerance : upper(rows_[k - wanted_.size()]));
       limits.unit.push_back(gives ? tolerance : unit);
       limits.gives.push_back(gives);
-      limits.pull.push_back(is_datum && !gives ? data_.weight[k] / task_.lambda : 0);
+      limits.pull.push_back(is_datum && !gives ? data_.weight[k] / fit_.lambda : 0);
     }
     return limits;
   }
@@ -164,7 +163,7 @@ private:
     limits.rise = rise;
     const int before = fit_.account.cycles;
     auto next = fit_within(problem, limits, std::move(fit_.coefficients), options_);
-    next.lambda = task_.lambda;
+    next.lambda = fit_.lambda;
     next.account.cycles += before;
     fit_ = std::move(next);
     const auto values = problem.values(fit_.coefficients);

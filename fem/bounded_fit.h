@@ -4,15 +4,13 @@
 #include <batten/fem/constrained_fit.h>
 
 #include <span>
-#include <vector>
 
 namespace batten {
 
 /// What a bounded fit starts from and stays close to.
 struct BoundedFitTask {
-  std::vector<double> start;           ///< coefficients of the solution without bounds
+  ConstrainedFit start;                ///< the solution without bounds, with its λ > 0 where there are no tolerances
   std::span<const double> tolerances;  ///< of the data in their own order and scale; empty: λ says
-  double lambda = 0;                   ///< > 0 where there are no tolerances
   bool interpolates = false;           ///< λ is that of interpolation: data are met, where they can be
 };
 

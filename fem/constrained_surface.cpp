@@ -75,12 +75,9 @@ ConstrainedFit fit_constrained(FitProblem& problem, FitData& data, const Observa
     fit = fit_within(problem, reordered(tolerances, problem.order()), options);
   }
   if (!has_bounds(options)) return fit;
-  const int before = fit.iterations;
-  fit = fit_between(
-      data, problem.region(), options,
-      {std::move(fit.coefficients), tolerances, fit.lambda, options.smoothing.kind == Smoothing::Kind::None});
-  fit.iterations = fit.account.cycles += before;
-  return fit;
+  fit.account.cycles = fit.iterations;
+  return fit_between(data, problem.region(), options,
+                     {std::move(fit), tolerances, options.smoothing.kind == Smoothing::Kind::None});
 }
 
 }  // namespace batten

@@ -134,7 +134,7 @@ TEST(FlowTolerance, of_general_on_the_sphere_and_between_walls_is_kept_in_both_n
     o.y[i] = 35 + 26 * o.y[i];
   }
   FlowSides channel;
-  channel.bottom = channel.top = FlowSide::Slip;
+  channel.bottom = channel.top = FlowSide::Wall;
   for (const ToleranceNorm norm : {ToleranceNorm::Component, ToleranceNorm::Euclidean})
     for (const bool on_sphere : {true, false}) {
       FlowOptions options;
