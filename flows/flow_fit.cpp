@@ -257,7 +257,7 @@ double largest_of(const std::vector<double>& values) {
 void add_notes(const Smoothing& smoothing, const FlowOptions& options, bool is_missed, FlowResult& result) {
   if (result.points_merged > 0)
     result.notes.push_back(std::to_string(result.points_merged) + " observations were averaged into coincident ones");
-  if (result.accuracy > 1e3 * options.limits.accuracy)
+  if (!result.constraints && result.accuracy > 1e3 * options.limits.accuracy)
     result.notes.push_back("the solver stopped after " + std::to_string(result.iterations) +
                            " iterations at an estimated relative error of " + number_text(result.accuracy, 2) +
                            " in the energy norm");
