@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <batten/bases/blossom.h>
+#include <batten/domains/errors.h>
 #include <batten/fem/bounded_fit.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace batten {
@@ -53,11 +55,15 @@ public:
   ConstrainedFit solved() {
     constexpr int most_rounds = 12;
     constexpr double first_rise = 1000;  // data that lie at a bound can only be met with far more bending
+    bool is_within = false;
     for (int round = 0; round < most_rounds; ++round) {
-      const bool is_within = !add_rows();
+      is_within = !add_rows();
       if (is_within && (round == 0 || !move_data())) break;
       solve(round == 0 ? first_rise : 1);
+      is_within = false;
     }
+    if (!is_within && add_rows())
+      throw SolverError("fit_between: the bounds are not kept after " + std::to_string(most_rounds) + " rounds");
     fit_.iterations = fit_.account.cycles;
     return std::move(fit_);
   }

@@ -19,7 +19,7 @@ struct BoundedFitTask {
 /// B-splines are not negative and sum to 1, so values lie between the least and the largest coefficient. Those of the
 /// same spline on a grid of 8 x 8 times as many cells differ from its values by a 64th of what those of the grid itself
 /// do, about h² |∇²p| / 400 for cells of size h: they are bounded. Only the ones near a bound enter the problem; it is
-/// solved again with more of them until all are within.
+/// solved again with more of them until all are within. Throws SolverError where that does not end.
 ConstrainedFit fit_between(const FitData& data, const Rectangle& region, const FitOptions& options,
                            const BoundedFitTask& task);
 
